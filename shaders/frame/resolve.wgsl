@@ -1,0 +1,8 @@
+// Stencil count to shadow mask. The stencil test (count is not 0) and the depth test (something is
+// there) decide which pixels get here.
+#include "shared/fullscreen.wgsl"
+
+@fragment
+fn shadowed() -> @location(0) vec4<f32> {
+    return vec4<f32>(1.0);
+}

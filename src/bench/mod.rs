@@ -1,0 +1,15 @@
+//! Running a plan: load each scene, prepare its methods, verify their masks, measure them
+//! interleaved, and keep every result as it comes.
+
+mod measure;
+mod observer;
+pub mod record;
+mod run_dir;
+mod runner;
+mod scene_run;
+pub mod statistics;
+pub mod verify;
+
+pub use observer::Observer;
+pub use runner::{RunRequest, run};
+pub use verify::Verifier;

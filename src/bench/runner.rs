@@ -1,0 +1,147 @@
+//! A whole run, scene after scene.
+
+use super::Observer;
+use super::record::{
+    DeviceRecord, FORMAT, HostRecord, MethodRecord, RunInfo, RunStatus, Status, Summary,
+};
+use super::run_dir::RunDir;
+use super::scene_run::{SceneOutcome, run_scene};
+use crate::config::RunPlan;
+use crate::gpu::{Gpu, shader};
+use crate::reference::ReferenceCache;
+use std::path::Path;
+
+/// What to run, where, and who watches.
+pub struct RunRequest<'a> {
+    /// The device.
+    pub gpu: &'a Gpu,
+    /// What to measure.
+    pub plan: &'a RunPlan,
+    /// The run directory, new or empty.
+    pub out: &'a Path,
+    /// The command line, for provenance.
+    pub command: Vec<String>,
+    /// Where reference masks are kept.
+    pub cache: &'a ReferenceCache,
+    /// Told of progress.
+    pub observer: &'a dyn Observer,
+}
+
+/// How a run ended.
+pub struct RunOutcome {
+    /// Complete or interrupted.
+    pub status: RunStatus,
+    /// A row a cell.
+    pub summaries: Vec<Summary>,
+}
+
+impl RunOutcome {
+    /// Cells that failed.
+    pub fn failed_cells(&self) -> usize {
+        self.summaries.iter().filter(|summary| summary.status == Status::Failed).count()
+    }
+}
+
+/// Runs the plan and leaves a run directory. Cells that cannot run are recorded with the reason.
+///
+/// # Errors
+/// When the directory cannot be written or the device is lost; what was measured stays.
+pub fn run(request: &RunRequest<'_>) -> anyhow::Result<RunOutcome> {
+    let mut dir = RunDir::create(request.out)?;
+    let mut info = provenance(request);
+    dir.write_info(&info)?;
+    request.observer.begin(request.plan.steps_per_scene() * request.plan.scenes.len() as u64);
+    let mut summaries = Vec::new();
+    let mut failure = None;
+    for plan in &request.plan.scenes {
+        if request.observer.interrupted() {
+            break;
+        }
+        match run_scene(request, plan, &mut dir) {
+            Ok(outcome) => {
+                let SceneOutcome { record, methods, summaries: rows, warnings } = outcome;
+                info.scenes.push(record);
+                info.warnings.extend(warnings);
+                add_methods(&mut info.methods, methods);
+                summaries.extend(rows);
+                dir.write_summary(&summaries)?;
+                dir.write_info(&info)?;
+            }
+            Err(error) => {
+                failure = Some(error.context(format!("scene `{}`", plan.file.name)));
+                break;
+            }
+        }
+    }
+    info.status = match (&failure, request.observer.interrupted()) {
+        (Some(_), _) => RunStatus::Failed,
+        (None, true) => RunStatus::Interrupted,
+        (None, false) => RunStatus::Complete,
+    };
+    dir.write_summary(&summaries)?;
+    dir.write_info(&info)?;
+    match failure {
+        Some(error) => Err(error),
+        None => Ok(RunOutcome { status: info.status, summaries }),
+    }
+}
+
+/// A method's stages are known once a scene has drawn it.
+fn add_methods(known: &mut Vec<MethodRecord>, found: Vec<MethodRecord>) {
+    for method in found {
+        match known.iter_mut().find(|m| m.id == method.id && m.variant == method.variant) {
+            Some(seen) if seen.stages.is_empty() => seen.stages = method.stages,
+            Some(_) => {}
+            None => known.push(method),
+        }
+    }
+}
+
+fn provenance(request: &RunRequest<'_>) -> RunInfo {
+    let RunRequest { gpu, plan, .. } = request;
+    RunInfo {
+        format: FORMAT,
+        status: RunStatus::Running,
+        title: plan.title.clone(),
+        program_version: env!("CARGO_PKG_VERSION").to_owned(),
+        program_git: git_version::git_version!(
+            args = ["--always", "--dirty=-modified", "--abbrev=12"],
+            fallback = ""
+        )
+        .to_owned(),
+        started: jiff::Timestamp::now().to_string(),
+        command: request.command.clone(),
+        device: device_record(gpu),
+        host: HostRecord {
+            os: std::env::consts::OS.to_owned(),
+            arch: std::env::consts::ARCH.to_owned(),
+            cores: std::thread::available_parallelism().map_or(1, |cores| cores.get() as u32),
+        },
+        seed: plan.seed,
+        width: plan.size_px.0,
+        height: plan.size_px.1,
+        frames: plan.frames,
+        warmup_frames: plan.warmup_frames,
+        verified_frames: plan.verified_frames,
+        scenes: Vec::new(),
+        methods: Vec::new(),
+        shader_hash: shader::hash(),
+        config_path: plan.path.clone(),
+        config_text: plan.text.clone(),
+        warnings: Vec::new(),
+    }
+}
+
+fn device_record(gpu: &Gpu) -> DeviceRecord {
+    let info = &gpu.info;
+    DeviceRecord {
+        name: info.name.clone(),
+        vendor_id: info.vendor,
+        device_type: crate::gpu::device::type_name(info.device_type).to_owned(),
+        driver: info.driver.clone(),
+        driver_info: info.driver_info.clone(),
+        backend: info.backend.to_string(),
+        tessellation: gpu.stages.tessellation,
+        geometry: gpu.stages.geometry,
+    }
+}

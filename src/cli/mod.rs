@@ -1,0 +1,116 @@
+//! The command line: one subcommand a file, arguments in, calls out.
+
+mod list;
+mod progress;
+mod render;
+mod report;
+mod run;
+mod values;
+
+use crate::config::ConfigError;
+use crate::gpu::{Gpu, GpuOptions, messages};
+use crate::methods::ParameterError;
+use crate::metrics;
+use crate::reference::ReferenceCache;
+use crate::report::LegendEntry;
+use clap::{Args, Parser, Subcommand};
+
+/// Exit code for a wrong command line or configuration.
+const USAGE: u8 = 2;
+/// Exit code for everything else that went wrong.
+const FAILED: u8 = 1;
+
+/// A benchmark of hard-shadow algorithms: speed, and accuracy against a ray-traced truth.
+#[derive(Debug, Parser)]
+#[command(name = "svbench", version, arg_required_else_help = true)]
+pub struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// Measure and verify what a configuration names, and write a report.
+    Run(run::RunArgs),
+    /// Draw one frame with one method, and compare it with the truth.
+    Render(render::RenderArgs),
+    /// List methods, scenes and devices.
+    List(list::ListArgs),
+    /// Write the report of a run directory again.
+    Report(report::ReportArgs),
+}
+
+/// Which device to use.
+#[derive(Debug, Args)]
+struct DeviceArgs {
+    /// Use the graphics adapter whose name contains this text
+    #[arg(long, value_name = "NAME")]
+    adapter: Option<String>,
+    /// Switch the driver's validation layers on; any message of theirs makes the command fail
+    #[arg(long)]
+    validation: bool,
+}
+
+impl DeviceArgs {
+    fn open(&self) -> anyhow::Result<Gpu> {
+        let options =
+            GpuOptions { adapter: self.adapter.clone(), validation: self.validation };
+        Ok(Gpu::open(&options)?)
+    }
+
+    /// Fails if the validation layers had anything to say.
+    fn check_validation(&self) -> anyhow::Result<()> {
+        let messages = messages::take_validation_messages();
+        if self.validation && !messages.is_empty() {
+            anyhow::bail!("the validation layers gave {} messages, see above", messages.len());
+        }
+        Ok(())
+    }
+}
+
+impl Cli {
+    /// Does what the command line says.
+    ///
+    /// # Errors
+    /// Anything that went wrong; [`exit_code`] tells what that means for the shell.
+    pub fn execute(self) -> anyhow::Result<()> {
+        match self.command {
+            Command::Run(args) => run::execute(&args),
+            Command::Render(args) => render::execute(&args),
+            Command::List(args) => list::execute(&args),
+            Command::Report(args) => report::execute(&args),
+        }
+    }
+}
+
+/// The exit code of an error: 2 for a wrong command line or configuration, else 1.
+pub fn exit_code(error: &anyhow::Error) -> u8 {
+    let usage = error.is::<ConfigError>() || error.is::<ParameterError>();
+    if usage { USAGE } else { FAILED }
+}
+
+/// Where reference masks are kept: `SVBENCH_CACHE`, else the user's cache folder; an empty
+/// variable switches the cache off.
+fn reference_cache() -> ReferenceCache {
+    use etcetera::BaseStrategy;
+    let dir = match std::env::var_os("SVBENCH_CACHE") {
+        Some(dir) if dir.is_empty() => None,
+        Some(dir) => Some(dir.into()),
+        None => etcetera::choose_base_strategy()
+            .ok()
+            .map(|dirs| dirs.cache_dir().join("svbench").join("reference")),
+    };
+    ReferenceCache::open(dir)
+}
+
+/// What the colours of an error map mean.
+fn error_map_legend() -> Vec<LegendEntry> {
+    let entry = |label, rgb| LegendEntry { label, rgb };
+    vec![
+        entry("false lit, artifact", metrics::FALSE_LIT_ARTIFACT_RGB),
+        entry("false lit, at the boundary", metrics::FALSE_LIT_BOUNDARY_RGB),
+        entry("false shadowed, artifact", metrics::FALSE_SHADOWED_ARTIFACT_RGB),
+        entry("false shadowed, at the boundary", metrics::FALSE_SHADOWED_BOUNDARY_RGB),
+        entry("ambiguous", metrics::AMBIGUOUS_RGB),
+    ]
+}

@@ -1,0 +1,203 @@
+//! `svbench render SCENE --method ID`
+
+use super::{DeviceArgs, reference_cache, values};
+use crate::bench::Verifier;
+use crate::config::{ConfigError, find_scene};
+use crate::frame::Stage;
+use crate::gpu::{FrameTimer, StageTimes};
+use crate::image::Image;
+use crate::methods::{MethodError, PrepareContext, parameters};
+use crate::metrics::MaskError;
+use crate::scene::{Scene, Up, View};
+use anyhow::Context;
+use glam::{Vec3, Vec4};
+use serde::Serialize;
+use std::path::{Path, PathBuf};
+
+/// Arguments of `svbench render`.
+#[derive(Debug, clap::Args)]
+pub(super) struct RenderArgs {
+    /// A scene: its TOML file, the name of one that comes with the program, or an OBJ file
+    scene: String,
+    /// The method, with parameters if any
+    #[arg(long, value_name = "ID[,key=value...]")]
+    method: String,
+    /// Position of the camera instead of the scene's
+    #[arg(long, value_name = "X,Y,Z", value_parser = values::vec3, allow_hyphen_values = true)]
+    eye: Option<Vec3>,
+    /// Point in the middle of the picture
+    #[arg(long, value_name = "X,Y,Z", value_parser = values::vec3, allow_hyphen_values = true)]
+    target: Option<Vec3>,
+    /// Which way is up
+    #[arg(long, value_name = "X,Y,Z", value_parser = values::vec3, allow_hyphen_values = true)]
+    up: Option<Vec3>,
+    /// Vertical field of view in degrees
+    #[arg(long, value_name = "DEG")]
+    fov: Option<f32>,
+    /// Distance of the near plane
+    #[arg(long, value_name = "N")]
+    near: Option<f32>,
+    /// Time on the scene's flight, instead of a camera
+    #[arg(long, value_name = "SECONDS", conflicts_with_all = ["eye", "target"])]
+    time: Option<f64>,
+    /// The light instead of the scene's: a point, or with W = 0 the direction towards it
+    #[arg(long, value_name = "X,Y,Z[,W]", value_parser = values::light, allow_hyphen_values = true)]
+    light: Option<Vec4>,
+    /// Size of the picture
+    #[arg(long, value_name = "WxH", value_parser = values::size, default_value = "1024x768")]
+    size: (u32, u32),
+    /// Write the lit picture
+    #[arg(long, value_name = "F.png")]
+    out: Option<PathBuf>,
+    /// Write the shadow mask: 0 lit or background, 255 in shadow
+    #[arg(long, value_name = "F.png")]
+    mask: Option<PathBuf>,
+    /// Write the ray-traced truth: as the mask, and 128 where ambiguous
+    #[arg(long, value_name = "F.png")]
+    reference: Option<PathBuf>,
+    /// Write the map of wrong pixels
+    #[arg(long, value_name = "F.png")]
+    error: Option<PathBuf>,
+    /// Print error counts and stage times as JSON
+    #[arg(long)]
+    json: bool,
+    #[command(flatten)]
+    device: DeviceArgs,
+}
+
+/// What is printed.
+#[derive(Serialize)]
+struct Output<'a> {
+    scene: &'a str,
+    triangles: usize,
+    objects: usize,
+    method: &'a str,
+    variant: String,
+    width: u32,
+    height: u32,
+    errors: MaskError,
+    frame_ms: f64,
+    cpu_ms: f64,
+    stages_ms: serde_json::Map<String, serde_json::Value>,
+    warnings: Vec<String>,
+}
+
+#[allow(clippy::print_stdout, reason = "the counts are this command's result")]
+pub(super) fn execute(args: &RenderArgs) -> anyhow::Result<()> {
+    let method = parameters::parse_method(&args.method)?;
+    let scene = load_scene(args)?;
+    let view = view(args, &scene)?;
+    let gpu = args.device.open()?;
+    let (width, height) = args.size;
+    let largest = gpu.max_texture_px();
+    if width.max(height) > largest {
+        let message = format!("--size: this device draws at most {largest} × {largest} pixels");
+        return Err(ConfigError(message).into());
+    }
+    let info = method.info();
+    info.check(&gpu).map_err(MethodError::Unavailable)?;
+    let stage = Stage::new(&gpu, &scene, width, height);
+    let context = PrepareContext::new(&gpu, &scene, &stage);
+    let prepared = method.prepare(&context).with_context(|| format!("method `{}`", info.id))?;
+
+    let cache = reference_cache();
+    let verifier = Verifier::new(&gpu, &scene, &stage, &cache)?;
+    let truth = verifier.truth(&view)?;
+    let mask = verifier.draw_mask(prepared.as_ref())?;
+    let picture = verifier.read_picture()?;
+    let judgement = verifier.judge(&mask, &truth)?;
+    let write = |path: &Option<PathBuf>, image: Image<'_>| {
+        path.as_ref().map_or(Ok(()), |path| image.write_png(path))
+    };
+    write(&args.out, Image::rgba(args.size, &picture))?;
+    write(&args.mask, Image::grey(args.size, &mask))?;
+    write(&args.reference, Image::grey(args.size, &truth.mask.to_grey()))?;
+    write(&args.error, Image::rgb(args.size, &judgement.error_map))?;
+
+    // The frame above was this method's first; the times are those of a second one.
+    let mut timer = FrameTimer::new(&gpu);
+    timer.frame(&gpu, (), |frame| stage.record(frame, prepared.as_ref()))?;
+    let times = timer.finish(&gpu)?.pop().map(|((), times)| times);
+    let times = times.context("the frame's times got lost")?;
+    let output = Output {
+        scene: &scene.name,
+        triangles: scene.mesh.caster_triangle_count(),
+        objects: scene.mesh.caster_object_count(),
+        method: info.id,
+        variant: method.variant(),
+        width,
+        height,
+        errors: judgement.error,
+        frame_ms: times.frame_ms(),
+        cpu_ms: times.cpu_ms,
+        stages_ms: stages(&times),
+        warnings: prepared.warnings(),
+    };
+    if args.json {
+        println!("{}", serde_json::to_string_pretty(&output)?);
+    } else {
+        print!("{}", text(&output, &times));
+    }
+    args.device.check_validation()
+}
+
+fn load_scene(args: &RenderArgs) -> anyhow::Result<Scene> {
+    let path = Path::new(&args.scene);
+    let mut scene = if path.extension().is_some_and(|e| e.eq_ignore_ascii_case("obj")) {
+        Scene::from_obj(path, Up::Y)?
+    } else {
+        let plan = find_scene(&args.scene, Path::new(""))?;
+        plan.file.load(&plan.search)?
+    };
+    if let Some(light) = args.light {
+        scene.light = light;
+    }
+    Ok(scene)
+}
+
+fn view(args: &RenderArgs, scene: &Scene) -> anyhow::Result<View> {
+    let time_s = args.time.unwrap_or(0.0);
+    let duration_s = scene.camera.duration_s();
+    if !(0.0..=duration_s).contains(&time_s) {
+        let message = format!("--time: the flight lasts from 0 to {duration_s} s, not to {time_s}");
+        return Err(ConfigError(message).into());
+    }
+    let path = scene.camera.view_at(time_s);
+    let view = View {
+        eye: args.eye.unwrap_or(path.eye),
+        target: args.target.unwrap_or(path.target),
+        up: args.up.unwrap_or(path.up),
+        fov_y_rad: args.fov.map_or(path.fov_y_rad, f32::to_radians),
+        near: args.near.unwrap_or(path.near),
+    };
+    view.validate().map_err(|error| ConfigError(format!("camera: {error}")))?;
+    Ok(view)
+}
+
+fn stages(times: &StageTimes) -> serde_json::Map<String, serde_json::Value> {
+    times.stages.iter().map(|(name, ms)| ((*name).to_owned(), (*ms).into())).collect()
+}
+
+fn text(output: &Output<'_>, times: &StageTimes) -> String {
+    let errors = &output.errors;
+    let mut text = format!(
+        "{} {} on {}: {} triangles, {} objects, {} × {} pixels\n",
+        output.method, output.variant, output.scene, output.triangles, output.objects,
+        output.width, output.height,
+    );
+    text.push_str(&format!(
+        "wrong pixels: {} ({} false lit, {} false shadowed; {} artifacts), {} ambiguous\n",
+        errors.wrong_px(),
+        errors.false_lit,
+        errors.false_shadowed,
+        errors.artifact_px,
+        errors.ambiguous_px,
+    ));
+    let stages: Vec<_> =
+        times.stages.iter().map(|(name, ms)| format!("{name} {ms:.3}")).collect();
+    text.push_str(&format!("{:.3} ms: {}\n", times.frame_ms(), stages.join(", ")));
+    for warning in &output.warnings {
+        text.push_str(&format!("note: {warning}\n"));
+    }
+    text
+}

@@ -1,0 +1,75 @@
+//! `svbench run CONFIG`
+
+use super::progress::Progress;
+use super::{DeviceArgs, error_map_legend, reference_cache, values};
+use crate::bench::record::RunStatus;
+use crate::bench::{self, RunRequest};
+use crate::config::{Overrides, RunPlan};
+use crate::gpu::Gpu;
+use std::path::{Path, PathBuf};
+
+/// Arguments of `svbench run`.
+#[derive(Debug, clap::Args)]
+pub(super) struct RunArgs {
+    /// The configuration: a TOML file that names scenes and methods
+    config: PathBuf,
+    /// The run directory to write, new or empty (default: results/<date>-<config>-<device>)
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Size of the picture instead of the configuration's
+    #[arg(long, value_name = "WxH", value_parser = values::size)]
+    size: Option<(u32, u32)>,
+    /// Number of measured frames instead of the configuration's
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    frames: Option<u32>,
+    /// Run only these methods of the configuration
+    #[arg(long, value_name = "METHOD", num_args = 1..)]
+    only: Vec<String>,
+    #[command(flatten)]
+    device: DeviceArgs,
+}
+
+#[allow(clippy::print_stdout, reason = "the table and the report's path are this command's result")]
+pub(super) fn execute(args: &RunArgs) -> anyhow::Result<()> {
+    let mut plan = RunPlan::read(&args.config)?;
+    let overrides =
+        Overrides { size_px: args.size, frames: args.frames, only: args.only.clone() };
+    overrides.apply(&mut plan)?;
+    let gpu = args.device.open()?;
+    let out = match &args.out {
+        Some(out) => out.clone(),
+        None => default_out(&args.config, &gpu),
+    };
+    let progress = Progress::new()?;
+    let outcome = bench::run(&RunRequest {
+        gpu: &gpu,
+        plan: &plan,
+        out: &out,
+        command: std::env::args().collect(),
+        cache: &reference_cache(),
+        observer: &progress,
+    });
+    progress.finish();
+    let outcome = outcome?;
+    let page = crate::report::write_all(&out, &error_map_legend())?;
+    print!("{}", std::fs::read_to_string(out.join(crate::report::TABLE_FILE))?);
+    println!("\nreport: {}", page.display());
+    args.device.check_validation()?;
+    if outcome.status == RunStatus::Interrupted {
+        anyhow::bail!("interrupted; what was measured is in {}", out.display());
+    }
+    match outcome.failed_cells() {
+        0 => Ok(()),
+        failed => anyhow::bail!("{failed} cells failed, see the report"),
+    }
+}
+
+/// `results/<date>-<time>-<config>-<device>`.
+fn default_out(config: &Path, gpu: &Gpu) -> PathBuf {
+    let now = jiff::Zoned::now().strftime("%Y-%m-%d-%H%M%S").to_string();
+    let config = config.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+    let device = gpu.info.name.split_whitespace().take(3).collect::<Vec<_>>().join("-");
+    let safe = |c: char| if c.is_ascii_alphanumeric() || c == '-' { c.to_ascii_lowercase() } else { '-' };
+    let name: String = format!("{now}-{config}-{device}").chars().map(safe).collect();
+    Path::new("results").join(name.split('-').filter(|part| !part.is_empty()).collect::<Vec<_>>().join("-"))
+}

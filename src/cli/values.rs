@@ -1,0 +1,69 @@
+//! Values on the command line.
+
+use glam::{Vec3, Vec4};
+
+/// `640x480`.
+pub(super) fn size(text: &str) -> Result<(u32, u32), String> {
+    let error = || format!("`{text}` is not a size like 1024x768");
+    let (width, height) = text.split_once(['x', 'X']).ok_or_else(error)?;
+    let side = |text: &str| text.trim().parse::<u32>().map_err(|_| error());
+    let size = (side(width)?, side(height)?);
+    if size.0 == 0 || size.1 == 0 {
+        return Err("both sides must be at least 1 pixel".to_owned());
+    }
+    Ok(size)
+}
+
+/// `1.5,2,-3`.
+pub(super) fn vec3(text: &str) -> Result<Vec3, String> {
+    let numbers = numbers(text)?;
+    <[f32; 3]>::try_from(numbers)
+        .map(Vec3::from)
+        .map_err(|_| format!("`{text}` is not three numbers X,Y,Z"))
+}
+
+/// `1.5,2,-3`, a point, or `1,2,3,0`, a direction.
+pub(super) fn light(text: &str) -> Result<Vec4, String> {
+    let light = match numbers(text)?[..] {
+        [x, y, z] => Vec4::new(x, y, z, 1.0),
+        [x, y, z, w] => Vec4::new(x, y, z, w),
+        _ => return Err(format!("`{text}` is not X,Y,Z or X,Y,Z,W")),
+    };
+    match light.w {
+        1.0 => Ok(light),
+        0.0 if light.truncate() != Vec3::ZERO => Ok(light),
+        0.0 => Err("the direction towards the light has length 0".to_owned()),
+        w => Err(format!("w is {w}; it must be 1 (a point) or 0 (a direction)")),
+    }
+}
+
+fn numbers(text: &str) -> Result<Vec<f32>, String> {
+    let number = |part: &str| match part.trim().parse::<f32>() {
+        Ok(value) if value.is_finite() => Ok(value),
+        _ => Err(format!("`{part}` is not a finite number")),
+    };
+    text.split(',').map(number).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sizes() {
+        assert_eq!(size("640x480"), Ok((640, 480)));
+        for wrong in ["640", "0x480", "640x-1", "x", "1e3x4", "99999999999x1"] {
+            assert!(size(wrong).is_err(), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn vectors_and_lights() {
+        assert_eq!(vec3("1,-2.5,3e2"), Ok(Vec3::new(1.0, -2.5, 300.0)));
+        assert_eq!(light("1,2,3"), Ok(Vec4::new(1.0, 2.0, 3.0, 1.0)));
+        assert_eq!(light("1,2,3,0"), Ok(Vec4::new(1.0, 2.0, 3.0, 0.0)));
+        for wrong in ["", "1,2", "1,2,nan", "1,2,3,0.5", "0,0,0,0", "1,2,3,1,1", "1,2,inf"] {
+            assert!(light(wrong).is_err(), "{wrong}");
+        }
+    }
+}

@@ -1,0 +1,42 @@
+//! What the command line changes in a configuration.
+
+use super::{ConfigError, RunPlan};
+use crate::methods::parameters::unknown_method;
+
+/// Values that replace the configuration's.
+#[derive(Debug, Clone, Default)]
+pub struct Overrides {
+    /// Picture width and height.
+    pub size_px: Option<(u32, u32)>,
+    /// Measured frames.
+    pub frames: Option<u32>,
+    /// Run only these methods; empty for all.
+    pub only: Vec<String>,
+}
+
+impl Overrides {
+    /// Applies them to a plan.
+    ///
+    /// # Errors
+    /// When `only` names a method that does not exist or that the plan does not have.
+    pub fn apply(&self, plan: &mut RunPlan) -> Result<(), ConfigError> {
+        if let Some(size_px) = self.size_px {
+            plan.size_px = size_px;
+        }
+        if let Some(frames) = self.frames {
+            plan.frames = frames;
+        }
+        for id in &self.only {
+            if crate::methods::find(id).is_none() {
+                return Err(ConfigError(format!("--only: {}", unknown_method(id))));
+            }
+            if !plan.methods.iter().any(|method| method.info().id == id) {
+                return Err(ConfigError(format!("--only: {} does not run `{id}`", plan.path)));
+            }
+        }
+        if !self.only.is_empty() {
+            plan.methods.retain(|method| self.only.iter().any(|id| id == method.info().id));
+        }
+        super::run_file::check_counts(plan).map_err(ConfigError)
+    }
+}

@@ -1,0 +1,88 @@
+//! The first stage: depth and triangle ids of everything, a draw call per object.
+
+use super::targets::TRIANGLE_ID_FORMAT;
+use super::{FrameUniform, SceneBuffers, Targets};
+use crate::gpu::{Gpu, shader};
+
+/// Pipeline of the G-buffer stage.
+pub struct GBuffer {
+    pipeline: wgpu::RenderPipeline,
+}
+
+impl GBuffer {
+    pub(super) fn new(gpu: &Gpu, uniform: &FrameUniform) -> Self {
+        let module = shader::wgsl(&gpu.device, "frame/gbuffer.wgsl");
+        let layout = gpu.device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+            label: Some("gbuffer"),
+            bind_group_layouts: &[Some(&uniform.layout)],
+            ..Default::default()
+        });
+        let pipeline = gpu.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+            label: Some("gbuffer"),
+            layout: Some(&layout),
+            vertex: wgpu::VertexState {
+                module: &module,
+                entry_point: Some("vertex"),
+                compilation_options: wgpu::PipelineCompilationOptions::default(),
+                buffers: &[Some(SceneBuffers::vertex_layout())],
+            },
+            // Both sides of every surface are drawn: open meshes show their backs, and a front cap
+            // on the far plane is exact only if its caster is in the depth buffer.
+            primitive: wgpu::PrimitiveState::default(),
+            depth_stencil: Some(wgpu::DepthStencilState {
+                format: gpu.depth_format(),
+                depth_write_enabled: Some(true),
+                depth_compare: Some(wgpu::CompareFunction::Greater),
+                stencil: wgpu::StencilState::default(),
+                bias: wgpu::DepthBiasState::default(),
+            }),
+            multisample: wgpu::MultisampleState::default(),
+            fragment: Some(wgpu::FragmentState {
+                module: &module,
+                entry_point: Some("fragment"),
+                compilation_options: wgpu::PipelineCompilationOptions::default(),
+                targets: &[Some(TRIANGLE_ID_FORMAT.into())],
+            }),
+            multiview_mask: None,
+            cache: None,
+        });
+        Self { pipeline }
+    }
+
+    pub(super) fn record(
+        &self,
+        encoder: &mut wgpu::CommandEncoder,
+        uniform: &FrameUniform,
+        scene: &SceneBuffers,
+        targets: &Targets,
+    ) {
+        let stencil = targets.depth.format().has_stencil_aspect();
+        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some("gbuffer"),
+            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
+                view: &targets.triangle_ids_view,
+                depth_slice: None,
+                resolve_target: None,
+                ops: wgpu::Operations {
+                    load: wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT),
+                    store: wgpu::StoreOp::Store,
+                },
+            })],
+            depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
+                view: &targets.depth_view,
+                depth_ops: Some(wgpu::Operations {
+                    load: wgpu::LoadOp::Clear(0.0),
+                    store: wgpu::StoreOp::Store,
+                }),
+                stencil_ops: stencil.then_some(wgpu::Operations {
+                    load: wgpu::LoadOp::Clear(0),
+                    store: wgpu::StoreOp::Store,
+                }),
+            }),
+            ..Default::default()
+        });
+        pass.set_pipeline(&self.pipeline);
+        pass.set_bind_group(0, &uniform.bind_group, &[]);
+        scene.draw(&mut pass, &scene.objects);
+    }
+}

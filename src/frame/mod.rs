@@ -1,0 +1,74 @@
+//! What all methods share: the scene on the device, the frame's targets, and the stages before and
+//! after the method's own.
+//!
+//! A frame is `gbuffer` (depth and triangle ids), the method's stages (ending in the shadow mask)
+//! and `shade` (the lit picture). The depth buffer is reversed: 1 at the near plane, 0 at infinity.
+
+pub mod fullscreen;
+mod gbuffer;
+mod resolve;
+mod scene;
+mod shade;
+pub mod targets;
+mod uniform;
+
+pub use gbuffer::GBuffer;
+pub use resolve::{RESOLVE_STAGE, StencilResolve};
+pub use scene::SceneBuffers;
+pub use shade::Shade;
+pub use targets::Targets;
+pub use uniform::FrameUniform;
+
+use crate::gpu::{FrameRecorder, Gpu};
+use crate::methods::PreparedMethod;
+use crate::scene::{Scene, View};
+
+/// Name of the first stage of every frame.
+pub const GBUFFER_STAGE: &str = "gbuffer";
+/// Name of the last stage of every frame.
+pub const SHADE_STAGE: &str = "shade";
+
+/// Everything that the frames of one scene at one size share, whatever the method.
+pub struct Stage {
+    /// The scene's meshes on the device.
+    pub scene: SceneBuffers,
+    /// What the frame is drawn into.
+    pub targets: Targets,
+    /// View and light of the frame.
+    pub uniform: FrameUniform,
+    gbuffer: GBuffer,
+    shade: Shade,
+}
+
+impl Stage {
+    /// Uploads `scene` and makes targets of `width` × `height` pixels.
+    pub fn new(gpu: &Gpu, scene: &Scene, width: u32, height: u32) -> Self {
+        let buffers = SceneBuffers::new(gpu, &scene.mesh);
+        let targets = Targets::new(gpu, width, height);
+        let uniform = FrameUniform::new(gpu);
+        let gbuffer = GBuffer::new(gpu, &uniform);
+        let shade = Shade::new(gpu, &uniform, &buffers, &targets);
+        Self { scene: buffers, targets, uniform, gbuffer, shade }
+    }
+
+    /// Sets view and light of the frames recorded from now on. Returns the matrix in use.
+    pub fn set_view(&self, gpu: &Gpu, view: &View, light: glam::Vec4) -> glam::Mat4 {
+        self.uniform.write(gpu, view, light, (self.targets.width, self.targets.height))
+    }
+
+    /// Records a whole frame with `method`.
+    pub fn record(&self, frame: &mut FrameRecorder<'_>, method: &dyn PreparedMethod) {
+        frame.stage(GBUFFER_STAGE, |encoder| {
+            self.gbuffer.record(encoder, &self.uniform, &self.scene, &self.targets);
+        });
+        method.record(frame, self);
+        frame.stage(SHADE_STAGE, |encoder| self.shade.record(encoder, &self.uniform, &self.targets));
+    }
+
+    /// Records the G-buffer alone, for whoever reads the triangle ids.
+    pub fn record_gbuffer(&self, frame: &mut FrameRecorder<'_>) {
+        frame.stage(GBUFFER_STAGE, |encoder| {
+            self.gbuffer.record(encoder, &self.uniform, &self.scene, &self.targets);
+        });
+    }
+}

@@ -1,0 +1,46 @@
+//! Messages of the driver and its validation layers.
+//!
+//! wgpu hands them to the `log` facade. This logger counts those of the Vulkan validation layers,
+//! so that a run or a test can fail on them, and prints warnings and errors to standard error.
+
+use std::sync::{Mutex, Once, PoisonError};
+
+struct Messages;
+
+static INSTALL: Once = Once::new();
+static COLLECTED: Mutex<Vec<String>> = Mutex::new(Vec::new());
+
+/// Installs the logger; later calls do nothing. Another logger that is already installed stays.
+pub fn install() {
+    INSTALL.call_once(|| {
+        if log::set_logger(&Messages).is_ok() {
+            log::set_max_level(log::LevelFilter::Warn);
+        }
+    });
+}
+
+/// Takes the validation messages collected so far.
+pub fn take_validation_messages() -> Vec<String> {
+    std::mem::take(&mut *COLLECTED.lock().unwrap_or_else(PoisonError::into_inner))
+}
+
+impl log::Log for Messages {
+    fn enabled(&self, metadata: &log::Metadata<'_>) -> bool {
+        metadata.level() <= log::Level::Warn
+    }
+
+    #[allow(clippy::print_stderr, reason = "this is the logger: standard error is where it writes")]
+    fn log(&self, record: &log::Record<'_>) {
+        if !self.enabled(record.metadata()) {
+            return;
+        }
+        let text = record.args().to_string();
+        eprintln!("{}: {text}", record.level().as_str().to_lowercase());
+        // The messenger's record starts with the message type and the id: `VALIDATION [VUID-...`.
+        if record.target().contains("vulkan::instance") && text.starts_with("VALIDATION") {
+            COLLECTED.lock().unwrap_or_else(PoisonError::into_inner).push(text);
+        }
+    }
+
+    fn flush(&self) {}
+}

@@ -1,0 +1,17 @@
+//! The graphics device and what the upper floors need of it: opening it with the stages that wgpu
+//! lacks, shaders, timing and reading back.
+//!
+//! This is the only room with `unsafe` code. [`native`] holds all that talks to Vulkan directly;
+//! its public face is safe.
+
+pub mod device;
+pub mod messages;
+pub mod native;
+pub mod readback;
+pub mod recorder;
+pub mod shader;
+pub mod timer;
+
+pub use device::{DeviceSummary, Gpu, GpuError, GpuOptions, Requirement, list_devices};
+pub use recorder::FrameRecorder;
+pub use timer::{FrameTimer, StageTimes};

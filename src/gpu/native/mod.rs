@@ -1,0 +1,45 @@
+//! Native Vulkan inside wgpu's device: the tessellation and geometry stages that wgpu 30 lacks.
+//!
+//! wgpu owns the device, the queue, buffers and textures; here the same `VkDevice` gets pipelines of
+//! its own, recorded into command buffers that are submitted between wgpu's. All `unsafe` code of
+//! the program lives below this module. What the callers must uphold is encoded in types: native
+//! objects keep the wgpu objects that they refer to alive, and wait for the device before they are
+//! destroyed.
+#![allow(unsafe_code, reason = "native Vulkan calls; each block states why it is sound")]
+
+mod open;
+mod pass;
+mod pipeline;
+mod target;
+
+pub use open::{Opened, StageSupport, open, support};
+pub use pass::NativePass;
+pub use pipeline::{BindingKind, Bindings, Pipeline, PipelineDesc, PrimitiveTopology, Raster};
+pub use target::Target;
+
+use wgpu::hal::api::Vulkan;
+
+/// Why a native object could not be made.
+#[derive(Debug, thiserror::Error)]
+pub enum NativeError {
+    /// The device is not a Vulkan device.
+    #[error("native shader stages need Vulkan")]
+    NotVulkan,
+    /// A Vulkan call failed.
+    #[error("Vulkan: {0}")]
+    Vulkan(#[from] ash::vk::Result),
+}
+
+/// The Vulkan device below wgpu's. The returned handle is a table of functions and the handle
+/// itself; whoever keeps it must also keep a clone of `device`, which owns it.
+fn raw_device(device: &wgpu::Device) -> Result<ash::Device, NativeError> {
+    // SAFETY: the handle is only borrowed; it is not destroyed, and callers keep `device` alive.
+    let hal = unsafe { device.as_hal::<Vulkan>() }.ok_or(NativeError::NotVulkan)?;
+    Ok(hal.raw_device().clone())
+}
+
+/// Waits until nothing that was submitted is running any more, so that objects may be destroyed.
+fn wait_idle(device: &wgpu::Device) {
+    // A lost device runs nothing either.
+    let _ = device.poll(wgpu::PollType::wait_indefinitely());
+}

@@ -1,0 +1,110 @@
+//! Recording native draws.
+
+use super::pipeline::{Bindings, Pipeline};
+use super::target::Target;
+use ash::vk;
+use std::ops::Range;
+use wgpu::hal::api::Vulkan;
+
+/// A native render pass under way, over one target with one set of bindings.
+pub struct NativePass<'a> {
+    raw: ash::Device,
+    commands: vk::CommandBuffer,
+    _bound: &'a Bindings,
+}
+
+impl NativePass<'_> {
+    /// Records a whole pass into a command buffer of its own; submit it between wgpu's.
+    ///
+    /// `target`'s texture must be in wgpu's state `DEPTH_STENCIL_WRITE` when it runs, which
+    /// [`super::super::FrameRecorder::native_stage`] takes care of.
+    ///
+    /// # Panics
+    /// When the device does not run on Vulkan; `target` could not have been made then.
+    pub fn record(
+        device: &wgpu::Device,
+        target: &Target,
+        bindings: &Bindings,
+        draw: impl FnOnce(&mut NativePass<'_>),
+    ) -> wgpu::CommandBuffer {
+        let mut encoder =
+            device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("native") });
+        let Ok(raw) = super::raw_device(device) else {
+            unreachable!("a native target exists only on Vulkan")
+        };
+        // SAFETY: only native commands go into this encoder, and the pass is ended again. Target,
+        // bindings and pipelines wait for the device before they destroy anything, so all handles
+        // stay valid until the commands have run.
+        unsafe {
+            encoder.as_hal_mut::<Vulkan, _, _>(|hal| {
+                let Some(hal) = hal else { unreachable!("a native target exists only on Vulkan") };
+                let commands = hal.raw_handle();
+                wait_for_uploads(&raw, commands);
+                let begin = vk::RenderPassBeginInfo::default()
+                    .render_pass(target.render_pass)
+                    .framebuffer(target.framebuffer)
+                    .render_area(vk::Rect2D {
+                        offset: vk::Offset2D::default(),
+                        extent: target.extent,
+                    });
+                raw.cmd_begin_render_pass(commands, &begin, vk::SubpassContents::INLINE);
+                raw.cmd_bind_descriptor_sets(
+                    commands,
+                    vk::PipelineBindPoint::GRAPHICS,
+                    bindings.layout,
+                    0,
+                    &[bindings.set],
+                    &[],
+                );
+                let mut pass = NativePass { raw, commands, _bound: bindings };
+                draw(&mut pass);
+                pass.raw.cmd_end_render_pass(commands);
+            });
+        }
+        encoder.finish()
+    }
+
+    /// Draws with `pipeline` from now on.
+    pub fn set_pipeline(&mut self, pipeline: &Pipeline) {
+        // SAFETY: the pass is under way, and the pipeline waits for the device before it goes.
+        unsafe {
+            self.raw.cmd_bind_pipeline(
+                self.commands,
+                vk::PipelineBindPoint::GRAPHICS,
+                pipeline.handle,
+            );
+        }
+    }
+
+    /// One draw call; `gl_VertexIndex` runs over `vertices`.
+    pub fn draw(&mut self, vertices: Range<u32>) {
+        if vertices.is_empty() {
+            return;
+        }
+        // SAFETY: the pass is under way with a pipeline and its bindings bound.
+        unsafe { self.raw.cmd_draw(self.commands, vertices.end - vertices.start, 1, vertices.start, 0) };
+    }
+}
+
+/// wgpu does not see what native shaders read, so it places no barrier between the copies that
+/// filled a buffer and these draws.
+///
+/// # Safety
+/// `commands` must be recording, outside of a render pass.
+unsafe fn wait_for_uploads(raw: &ash::Device, commands: vk::CommandBuffer) {
+    let barrier = vk::MemoryBarrier::default()
+        .src_access_mask(vk::AccessFlags::MEMORY_WRITE)
+        .dst_access_mask(vk::AccessFlags::MEMORY_READ | vk::AccessFlags::MEMORY_WRITE);
+    // SAFETY: the caller vouches for `commands`.
+    unsafe {
+        raw.cmd_pipeline_barrier(
+            commands,
+            vk::PipelineStageFlags::TRANSFER,
+            vk::PipelineStageFlags::ALL_GRAPHICS,
+            vk::DependencyFlags::empty(),
+            &[barrier],
+            &[],
+            &[],
+        );
+    }
+}

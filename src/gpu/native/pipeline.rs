@@ -1,0 +1,287 @@
+//! Graphics pipelines with native stages, and the buffers that they read.
+
+use super::target::Target;
+use super::{NativeError, raw_device, wait_idle};
+use crate::gpu::shader::{GlslStage, Spirv};
+use ash::vk;
+use wgpu::hal::api::Vulkan;
+
+/// How a shader sees a buffer.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum BindingKind {
+    /// `uniform` block, std140.
+    Uniform,
+    /// `buffer` block, std430.
+    Storage,
+}
+
+/// Descriptor set 0: buffers at bindings 0, 1, 2, ... in the order given.
+pub struct Bindings {
+    pub(super) layout: vk::PipelineLayout,
+    pub(super) set: vk::DescriptorSet,
+    set_layout: vk::DescriptorSetLayout,
+    pool: vk::DescriptorPool,
+    raw: ash::Device,
+    device: wgpu::Device,
+    _buffers: Vec<wgpu::Buffer>,
+}
+
+impl Bindings {
+    /// Binds whole buffers, visible to every graphics stage.
+    ///
+    /// # Errors
+    /// When the device does not run on Vulkan or is out of memory.
+    pub fn new(
+        device: &wgpu::Device,
+        buffers: &[(BindingKind, &wgpu::Buffer)],
+    ) -> Result<Self, NativeError> {
+        let raw = raw_device(device)?;
+        let kinds: Vec<_> = buffers.iter().map(|(kind, _)| descriptor_type(*kind)).collect();
+        let slots: Vec<_> = (0..)
+            .zip(&kinds)
+            .map(|(binding, kind)| {
+                vk::DescriptorSetLayoutBinding::default()
+                    .binding(binding)
+                    .descriptor_count(1)
+                    .descriptor_type(*kind)
+                    .stage_flags(vk::ShaderStageFlags::ALL_GRAPHICS)
+            })
+            .collect();
+        let sizes: Vec<_> = kinds
+            .iter()
+            .map(|&ty| vk::DescriptorPoolSize { ty, descriptor_count: 1 })
+            .collect();
+        let layout_info = vk::DescriptorSetLayoutCreateInfo::default().bindings(&slots);
+        let pool_info = vk::DescriptorPoolCreateInfo::default().max_sets(1).pool_sizes(&sizes);
+        // SAFETY: the create infos point to arrays that live until after the calls, and every
+        // handle passed was made by the same device in a call before.
+        let (set_layout, pool, layout, set) = unsafe {
+            let set_layout = raw.create_descriptor_set_layout(&layout_info, None)?;
+            let pool = raw.create_descriptor_pool(&pool_info, None)?;
+            let set_layouts = [set_layout];
+            let layout = raw.create_pipeline_layout(
+                &vk::PipelineLayoutCreateInfo::default().set_layouts(&set_layouts),
+                None,
+            )?;
+            let sets = raw.allocate_descriptor_sets(
+                &vk::DescriptorSetAllocateInfo::default()
+                    .descriptor_pool(pool)
+                    .set_layouts(&set_layouts),
+            )?;
+            (set_layout, pool, layout, sets[0])
+        };
+        for (binding, ((_, buffer), kind)) in (0..).zip(buffers.iter().zip(&kinds)) {
+            // SAFETY: the clones kept in `_buffers` outlive every use of the descriptor set.
+            unsafe {
+                let handle = buffer.as_hal::<Vulkan>().ok_or(NativeError::NotVulkan)?.raw_handle();
+                let infos = [vk::DescriptorBufferInfo {
+                    buffer: handle,
+                    offset: 0,
+                    range: vk::WHOLE_SIZE,
+                }];
+                let write = vk::WriteDescriptorSet::default()
+                    .dst_set(set)
+                    .dst_binding(binding)
+                    .descriptor_type(*kind)
+                    .buffer_info(&infos);
+                raw.update_descriptor_sets(&[write], &[]);
+            }
+        }
+        let _buffers = buffers.iter().map(|(_, buffer)| (*buffer).clone()).collect();
+        Ok(Self { layout, set, set_layout, pool, raw, device: device.clone(), _buffers })
+    }
+}
+
+impl Drop for Bindings {
+    fn drop(&mut self) {
+        wait_idle(&self.device);
+        // SAFETY: nothing that was submitted still runs, and these handles are ours alone.
+        unsafe {
+            self.raw.destroy_pipeline_layout(self.layout, None);
+            self.raw.destroy_descriptor_pool(self.pool, None);
+            self.raw.destroy_descriptor_set_layout(self.set_layout, None);
+        }
+    }
+}
+
+fn descriptor_type(kind: BindingKind) -> vk::DescriptorType {
+    match kind {
+        BindingKind::Uniform => vk::DescriptorType::UNIFORM_BUFFER,
+        BindingKind::Storage => vk::DescriptorType::STORAGE_BUFFER,
+    }
+}
+
+/// What a draw's vertices are put together to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PrimitiveTopology {
+    /// One primitive a vertex.
+    Points,
+    /// One tessellation patch of one control point a vertex.
+    Patches,
+}
+
+/// What happens to the primitives that the last shader before the rasteriser leaves.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Raster {
+    /// z-fail counting in the stencil buffer: where the depth test (reversed depth, `greater`)
+    /// fails, back faces add one and front faces take one away, both with wrap-around. Front faces
+    /// wind counter-clockwise in y-up clip space. Depth is not written.
+    CountDepthFails {
+        /// `[near, far]` of the viewport's depth. `[0.0, 0.0]` moves every fragment to the far
+        /// plane of a reversed depth buffer, after clipping.
+        depth_range: [f32; 2],
+    },
+    /// Nothing is drawn; the shaders' side effects are all.
+    Discard,
+}
+
+/// A graphics pipeline. Vertices come from storage buffers, not from vertex input.
+pub struct PipelineDesc<'a> {
+    /// Vertex stage first, then the others in pipeline order.
+    pub stages: &'a [Spirv],
+    /// How vertices form primitives.
+    pub topology: PrimitiveTopology,
+    /// What becomes of the primitives.
+    pub raster: Raster,
+}
+
+/// A native graphics pipeline.
+pub struct Pipeline {
+    pub(super) handle: vk::Pipeline,
+    raw: ash::Device,
+    device: wgpu::Device,
+}
+
+impl Pipeline {
+    /// Builds the pipeline for passes over `target` with `bindings`.
+    ///
+    /// # Errors
+    /// When the driver refuses the pipeline.
+    pub fn new(
+        device: &wgpu::Device,
+        target: &Target,
+        bindings: &Bindings,
+        desc: &PipelineDesc<'_>,
+    ) -> Result<Self, NativeError> {
+        let raw = raw_device(device)?;
+        let mut modules = Vec::with_capacity(desc.stages.len());
+        for stage in desc.stages {
+            let info = vk::ShaderModuleCreateInfo::default().code(&stage.words);
+            // SAFETY: the words are valid SPIR-V, straight from the compiler.
+            modules.push((stage.stage, unsafe { raw.create_shader_module(&info, None) }?));
+        }
+        let handle = create(&raw, target, bindings, desc, &modules);
+        for (_, module) in modules {
+            // SAFETY: a pipeline keeps what it needs of its modules, so they may go now.
+            unsafe { raw.destroy_shader_module(module, None) };
+        }
+        Ok(Self { handle: handle?, raw, device: device.clone() })
+    }
+}
+
+fn create(
+    raw: &ash::Device,
+    target: &Target,
+    bindings: &Bindings,
+    desc: &PipelineDesc<'_>,
+    modules: &[(GlslStage, vk::ShaderModule)],
+) -> Result<vk::Pipeline, vk::Result> {
+    let stages: Vec<_> = modules
+        .iter()
+        .map(|(stage, module)| {
+            vk::PipelineShaderStageCreateInfo::default()
+                .stage(stage_flag(*stage))
+                .module(*module)
+                .name(c"main")
+        })
+        .collect();
+    let vertex_input = vk::PipelineVertexInputStateCreateInfo::default();
+    let assembly = vk::PipelineInputAssemblyStateCreateInfo::default().topology(
+        match desc.topology {
+            PrimitiveTopology::Points => vk::PrimitiveTopology::POINT_LIST,
+            PrimitiveTopology::Patches => vk::PrimitiveTopology::PATCH_LIST,
+        },
+    );
+    let tessellation = vk::PipelineTessellationStateCreateInfo::default().patch_control_points(1);
+    let vk::Extent2D { width, height } = target.extent;
+    let depth_range = match desc.raster {
+        Raster::CountDepthFails { depth_range } => depth_range,
+        Raster::Discard => [0.0, 1.0],
+    };
+    // The negative height turns y up in clip space, as in wgpu's own passes.
+    let viewports = [vk::Viewport {
+        x: 0.0,
+        y: height as f32,
+        width: width as f32,
+        height: -(height as f32),
+        min_depth: depth_range[0],
+        max_depth: depth_range[1],
+    }];
+    let scissors = [vk::Rect2D { offset: vk::Offset2D::default(), extent: target.extent }];
+    let viewport = vk::PipelineViewportStateCreateInfo::default()
+        .viewports(&viewports)
+        .scissors(&scissors);
+    // No depth clamp: what lies before the near plane never fails a depth test, so clipping it
+    // changes no count, and it keeps the depth of the clipped faces precise (a face that reaches
+    // almost to the eye would have depths of thousands, and lose its far end to rounding).
+    let rasterization = vk::PipelineRasterizationStateCreateInfo::default()
+        .rasterizer_discard_enable(desc.raster == Raster::Discard)
+        .polygon_mode(vk::PolygonMode::FILL)
+        .cull_mode(vk::CullModeFlags::NONE)
+        .front_face(vk::FrontFace::COUNTER_CLOCKWISE)
+        .line_width(1.0);
+    let multisample = vk::PipelineMultisampleStateCreateInfo::default()
+        .rasterization_samples(vk::SampleCountFlags::TYPE_1);
+    let on_depth_fail = |operation| vk::StencilOpState {
+        fail_op: vk::StencilOp::KEEP,
+        pass_op: vk::StencilOp::KEEP,
+        depth_fail_op: operation,
+        compare_op: vk::CompareOp::ALWAYS,
+        compare_mask: 0xff,
+        write_mask: 0xff,
+        reference: 0,
+    };
+    let depth_stencil = vk::PipelineDepthStencilStateCreateInfo::default()
+        .depth_test_enable(true)
+        .depth_compare_op(vk::CompareOp::GREATER)
+        .stencil_test_enable(true)
+        .front(on_depth_fail(vk::StencilOp::DECREMENT_AND_WRAP))
+        .back(on_depth_fail(vk::StencilOp::INCREMENT_AND_WRAP));
+    let blend = vk::PipelineColorBlendStateCreateInfo::default();
+    let mut info = vk::GraphicsPipelineCreateInfo::default()
+        .stages(&stages)
+        .vertex_input_state(&vertex_input)
+        .input_assembly_state(&assembly)
+        .viewport_state(&viewport)
+        .rasterization_state(&rasterization)
+        .multisample_state(&multisample)
+        .depth_stencil_state(&depth_stencil)
+        .color_blend_state(&blend)
+        .layout(bindings.layout)
+        .render_pass(target.render_pass);
+    if desc.topology == PrimitiveTopology::Patches {
+        info = info.tessellation_state(&tessellation);
+    }
+    // SAFETY: everything that `info` points to lives until after the call.
+    unsafe { raw.create_graphics_pipelines(vk::PipelineCache::null(), &[info], None) }
+        .map(|pipelines| pipelines[0])
+        .map_err(|(_, error)| error)
+}
+
+fn stage_flag(stage: GlslStage) -> vk::ShaderStageFlags {
+    match stage {
+        GlslStage::Vertex => vk::ShaderStageFlags::VERTEX,
+        GlslStage::TessellationControl => vk::ShaderStageFlags::TESSELLATION_CONTROL,
+        GlslStage::TessellationEvaluation => vk::ShaderStageFlags::TESSELLATION_EVALUATION,
+        GlslStage::Geometry => vk::ShaderStageFlags::GEOMETRY,
+        GlslStage::Fragment => vk::ShaderStageFlags::FRAGMENT,
+    }
+}
+
+impl Drop for Pipeline {
+    fn drop(&mut self) {
+        wait_idle(&self.device);
+        // SAFETY: nothing that was submitted still runs, and the handle is ours alone.
+        unsafe { self.raw.destroy_pipeline(self.handle, None) };
+    }
+}

@@ -1,0 +1,57 @@
+//! Reading textures back to the CPU. Never used in a frame that is measured: it waits.
+
+use super::Gpu;
+
+/// The texels of mip level 0 of a 2D texture, rows from the top, tightly packed.
+///
+/// # Errors
+/// When the device is lost.
+pub fn read_texture(gpu: &Gpu, texture: &wgpu::Texture) -> anyhow::Result<Vec<u8>> {
+    let texel_bytes = texture
+        .format()
+        .block_copy_size(None)
+        .ok_or_else(|| anyhow::anyhow!("{:?} cannot be read back", texture.format()))?;
+    let (width, height) = (texture.width(), texture.height());
+    let row_bytes = width * texel_bytes;
+    let padded_row_bytes = row_bytes.next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
+    let buffer = gpu.device.create_buffer(&wgpu::BufferDescriptor {
+        label: Some("readback"),
+        size: u64::from(padded_row_bytes) * u64::from(height),
+        usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
+        mapped_at_creation: false,
+    });
+    let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+    encoder.copy_texture_to_buffer(
+        texture.as_image_copy(),
+        wgpu::TexelCopyBufferInfo {
+            buffer: &buffer,
+            layout: wgpu::TexelCopyBufferLayout {
+                offset: 0,
+                bytes_per_row: Some(padded_row_bytes),
+                rows_per_image: None,
+            },
+        },
+        texture.size(),
+    );
+    gpu.queue.submit([encoder.finish()]);
+    let bytes = read_buffer(gpu, &buffer)?;
+    let rows = bytes.chunks_exact(padded_row_bytes as usize);
+    Ok(rows.flat_map(|row| &row[..row_bytes as usize]).copied().collect())
+}
+
+/// The contents of a buffer with `MAP_READ` usage, after all submitted work is done.
+///
+/// # Errors
+/// When the device is lost.
+pub fn read_buffer(gpu: &Gpu, buffer: &wgpu::Buffer) -> anyhow::Result<Vec<u8>> {
+    let (sender, receiver) = std::sync::mpsc::channel();
+    buffer.map_async(wgpu::MapMode::Read, .., move |result| {
+        // The receiver lives until the end of this function.
+        let _ = sender.send(result);
+    });
+    gpu.device.poll(wgpu::PollType::wait_indefinitely())?;
+    receiver.recv()??;
+    let bytes = buffer.get_mapped_range(..)?.to_vec();
+    buffer.unmap();
+    Ok(bytes)
+}

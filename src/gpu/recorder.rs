@@ -1,0 +1,84 @@
+//! Recording one frame: a chain of stages, wgpu's or native, with a timestamp between each two.
+
+use super::Gpu;
+use super::native::{Bindings, NativePass, Target};
+use super::timer::{MAX_STAGES, Slot};
+
+/// Records the stages of one frame in order.
+///
+/// An encoder is wgpu's or native, never both, so a native stage splits the frame: what was
+/// recorded so far is closed, the native commands follow in a buffer of their own, and a new wgpu
+/// encoder goes on after them. All are submitted at once.
+pub struct FrameRecorder<'a> {
+    gpu: &'a Gpu,
+    encoder: wgpu::CommandEncoder,
+    finished: Vec<wgpu::CommandBuffer>,
+    slot: Option<&'a Slot>,
+    stages: Vec<&'static str>,
+}
+
+impl<'a> FrameRecorder<'a> {
+    pub(super) fn new(gpu: &'a Gpu, slot: Option<&'a Slot>) -> Self {
+        let mut encoder = new_encoder(gpu);
+        if let Some(slot) = slot {
+            encoder.write_timestamp(&slot.queries, 0);
+        }
+        Self { gpu, encoder, finished: Vec::new(), slot, stages: Vec::new() }
+    }
+
+    /// A frame whose stages nobody times.
+    pub fn untimed(gpu: &'a Gpu) -> Self {
+        Self::new(gpu, None)
+    }
+
+    /// A stage of wgpu commands.
+    pub fn stage(&mut self, name: &'static str, record: impl FnOnce(&mut wgpu::CommandEncoder)) {
+        record(&mut self.encoder);
+        self.end_stage(name);
+    }
+
+    /// A stage of native draws into `target`.
+    pub fn native_stage(
+        &mut self,
+        name: &'static str,
+        target: &Target,
+        bindings: &Bindings,
+        draw: impl FnOnce(&mut NativePass<'_>),
+    ) {
+        // The native pass expects the texture as wgpu leaves it after a pass that wrote it.
+        self.encoder.transition_resources(
+            std::iter::empty(),
+            std::iter::once(wgpu::TextureTransition {
+                texture: &target.texture,
+                selector: None,
+                state: wgpu::TextureUses::DEPTH_STENCIL_WRITE,
+            }),
+        );
+        let before = std::mem::replace(&mut self.encoder, new_encoder(self.gpu));
+        self.finished.push(before.finish());
+        self.finished.push(NativePass::record(&self.gpu.device, target, bindings, draw));
+        self.end_stage(name);
+    }
+
+    fn end_stage(&mut self, name: &'static str) {
+        self.stages.push(name);
+        assert!(self.stages.len() <= MAX_STAGES, "a frame has at most {MAX_STAGES} stages");
+        if let Some(slot) = self.slot {
+            self.encoder.write_timestamp(&slot.queries, self.stages.len() as u32);
+        }
+    }
+
+    /// Submits the frame; returns the names of its stages and what to wait for.
+    pub fn submit(mut self) -> (Vec<&'static str>, wgpu::SubmissionIndex) {
+        if let Some(slot) = self.slot {
+            slot.resolve(&mut self.encoder, self.stages.len());
+        }
+        self.finished.push(self.encoder.finish());
+        let submission = self.gpu.queue.submit(self.finished);
+        (self.stages, submission)
+    }
+}
+
+fn new_encoder(gpu: &Gpu) -> wgpu::CommandEncoder {
+    gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("frame") })
+}

@@ -1,0 +1,148 @@
+//! Shader sources: embedded in the program, joined from files by `#include`, compiled.
+//!
+//! WGSL and GLSL share one include mechanism: a line `#include "path/below/shaders"` is replaced by
+//! that file, once per shader.
+
+use include_dir::{Dir, include_dir};
+use std::collections::BTreeSet;
+
+static SHADERS: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/shaders");
+
+/// The source at `path` below `shaders/` with all includes resolved, each file at most once.
+///
+/// # Panics
+/// When a file is missing: sources are part of the program, so that is a bug.
+pub fn source(path: &str) -> String {
+    let mut seen = BTreeSet::new();
+    let mut text = String::new();
+    append(path, &mut seen, &mut text);
+    text
+}
+
+fn append(path: &str, seen: &mut BTreeSet<String>, text: &mut String) {
+    if !seen.insert(path.to_owned()) {
+        return;
+    }
+    let file = SHADERS.get_file(path).and_then(|file| file.contents_utf8());
+    let Some(file) = file else { panic!("shader source `{path}` is not part of the program") };
+    for line in file.lines() {
+        match line.trim().strip_prefix("#include \"").and_then(|rest| rest.strip_suffix('"')) {
+            Some(included) => append(included, seen, text),
+            None => {
+                text.push_str(line);
+                text.push('\n');
+            }
+        }
+    }
+}
+
+/// A hash over every shader file, for the provenance of results.
+pub fn hash() -> String {
+    let mut hasher = blake3::Hasher::new();
+    hash_dir(&SHADERS, &mut hasher);
+    hasher.finalize().to_hex().to_string()
+}
+
+fn hash_dir(dir: &Dir<'_>, hasher: &mut blake3::Hasher) {
+    for file in dir.files() {
+        hasher.update(file.path().to_string_lossy().as_bytes());
+        hasher.update(file.contents());
+    }
+    for sub in dir.dirs() {
+        hash_dir(sub, hasher);
+    }
+}
+
+/// A wgpu shader module of the WGSL file at `path`.
+pub fn wgsl(device: &wgpu::Device, path: &str) -> wgpu::ShaderModule {
+    device.create_shader_module(wgpu::ShaderModuleDescriptor {
+        label: Some(path),
+        source: wgpu::ShaderSource::Wgsl(source(path).into()),
+    })
+}
+
+/// A stage that GLSL sources are compiled for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum GlslStage {
+    /// Vertex shader, `*.vert`.
+    Vertex,
+    /// Tessellation control shader, `*.tesc`.
+    TessellationControl,
+    /// Tessellation evaluation shader, `*.tese`.
+    TessellationEvaluation,
+    /// Geometry shader, `*.geom`.
+    Geometry,
+    /// Fragment shader, `*.frag`.
+    Fragment,
+}
+
+impl GlslStage {
+    /// The stage that a file's ending stands for.
+    fn of_path(path: &str) -> Option<Self> {
+        Some(match path.rsplit('.').next()? {
+            "vert" => Self::Vertex,
+            "tesc" => Self::TessellationControl,
+            "tese" => Self::TessellationEvaluation,
+            "geom" => Self::Geometry,
+            "frag" => Self::Fragment,
+            _ => return None,
+        })
+    }
+}
+
+/// One compiled GLSL stage.
+#[derive(Debug, Clone)]
+pub struct Spirv {
+    /// Which stage it is for.
+    pub stage: GlslStage,
+    /// The code.
+    pub words: Vec<u32>,
+}
+
+/// Compiles the GLSL file at `path` (its ending names the stage) with `defines` set before it.
+///
+/// # Panics
+/// When it does not compile: sources are part of the program, so that is a bug.
+pub fn glsl(path: &str, defines: &[(&str, u32)]) -> Spirv {
+    let Some(stage) = GlslStage::of_path(path) else { panic!("`{path}` names no shader stage") };
+    let words = compile(stage, path, defines);
+    match words {
+        Ok(words) => Spirv { stage, words },
+        Err(error) => panic!("{path} does not compile:\n{error}"),
+    }
+}
+
+fn compile(
+    stage: GlslStage,
+    path: &str,
+    defines: &[(&str, u32)],
+) -> Result<Vec<u32>, Box<dyn std::error::Error>> {
+    use glslang::{
+        Compiler, CompilerOptions, Shader, ShaderInput, ShaderSource, ShaderStage, SourceLanguage,
+        SpirvVersion, Target, VulkanVersion,
+    };
+    let stage = match stage {
+        GlslStage::Vertex => ShaderStage::Vertex,
+        GlslStage::TessellationControl => ShaderStage::TesselationControl,
+        GlslStage::TessellationEvaluation => ShaderStage::TesselationEvaluation,
+        GlslStage::Geometry => ShaderStage::Geometry,
+        GlslStage::Fragment => ShaderStage::Fragment,
+    };
+    let compiler = Compiler::acquire().ok_or("the GLSL compiler could not be started")?;
+    let text: String = std::iter::once("#version 450\n".to_owned())
+        .chain(defines.iter().map(|(name, value)| format!("#define {name} {value}\n")))
+        .chain([source(path)])
+        .collect();
+    let options = CompilerOptions {
+        source_language: SourceLanguage::GLSL,
+        target: Target::Vulkan {
+            version: VulkanVersion::Vulkan1_1,
+            spirv_version: SpirvVersion::SPIRV1_3,
+        },
+        ..Default::default()
+    };
+    let text = ShaderSource::from(text);
+    let no_defines = None::<&[(&str, Option<&str>)]>;
+    let input = ShaderInput::new(&text, stage, &options, no_defines, None)?;
+    Ok(Shader::new(compiler, input).parse()?.compile()?)
+}

@@ -1,0 +1,168 @@
+//! GPU times of a frame's stages, read back frames later so that measuring never stalls.
+
+use super::{FrameRecorder, Gpu};
+use std::collections::VecDeque;
+use std::sync::mpsc::Receiver;
+use std::time::Instant;
+
+/// Most stages that one frame may have.
+pub const MAX_STAGES: usize = 15;
+
+/// Frames that may be under way at once. As many as a swap chain would allow: the CPU may run
+/// ahead, yet the queue does not grow without bound.
+const FRAMES_IN_FLIGHT: usize = 3;
+
+const QUERIES: u32 = MAX_STAGES as u32 + 1;
+const QUERY_BYTES: u64 = QUERIES as u64 * wgpu::QUERY_SIZE as u64;
+
+/// GPU times of one frame.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StageTimes {
+    /// `(stage, milliseconds)` in the order of execution.
+    pub stages: Vec<(&'static str, f64)>,
+    /// What recording and submitting took of the CPU, in milliseconds.
+    pub cpu_ms: f64,
+}
+
+impl StageTimes {
+    /// The whole frame: first timestamp to last.
+    pub fn frame_ms(&self) -> f64 {
+        self.stages.iter().map(|(_, ms)| ms).sum()
+    }
+
+    /// Time of the stage called `name`; 0 where there is none.
+    pub fn stage_ms(&self, name: &str) -> f64 {
+        self.stages.iter().filter(|(stage, _)| *stage == name).map(|(_, ms)| ms).sum()
+    }
+}
+
+/// The queries of one frame in flight.
+pub(super) struct Slot {
+    pub(super) queries: wgpu::QuerySet,
+    resolved: wgpu::Buffer,
+    readable: wgpu::Buffer,
+}
+
+impl Slot {
+    fn new(device: &wgpu::Device) -> Self {
+        let buffer = |label, usage| {
+            device.create_buffer(&wgpu::BufferDescriptor {
+                label: Some(label),
+                size: QUERY_BYTES,
+                usage,
+                mapped_at_creation: false,
+            })
+        };
+        Self {
+            queries: device.create_query_set(&wgpu::QuerySetDescriptor {
+                label: Some("stage times"),
+                ty: wgpu::QueryType::Timestamp,
+                count: QUERIES,
+            }),
+            resolved: buffer(
+                "stage times, resolved",
+                wgpu::BufferUsages::QUERY_RESOLVE | wgpu::BufferUsages::COPY_SRC,
+            ),
+            readable: buffer(
+                "stage times, readable",
+                wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
+            ),
+        }
+    }
+
+    pub(super) fn resolve(&self, encoder: &mut wgpu::CommandEncoder, stages: usize) {
+        encoder.resolve_query_set(&self.queries, 0..stages as u32 + 1, &self.resolved, 0);
+        encoder.copy_buffer_to_buffer(&self.resolved, 0, &self.readable, 0, QUERY_BYTES);
+    }
+}
+
+struct Pending<T> {
+    tag: T,
+    slot: Slot,
+    stages: Vec<&'static str>,
+    submission: wgpu::SubmissionIndex,
+    cpu_ms: f64,
+    mapped: Receiver<Result<(), wgpu::BufferAsyncError>>,
+}
+
+/// Hands out frames to record and gives back their times, each with the caller's `tag`, in the
+/// order in which they were submitted.
+pub struct FrameTimer<T> {
+    free: Vec<Slot>,
+    pending: VecDeque<Pending<T>>,
+    period_ns: f64,
+}
+
+impl<T> FrameTimer<T> {
+    /// A timer for `gpu`.
+    pub fn new(gpu: &Gpu) -> Self {
+        Self {
+            free: (0..FRAMES_IN_FLIGHT).map(|_| Slot::new(&gpu.device)).collect(),
+            pending: VecDeque::new(),
+            period_ns: f64::from(gpu.queue.get_timestamp_period()),
+        }
+    }
+
+    /// Records a frame with `record`, submits it, and gives back a frame that has come to its end
+    /// if the limit of frames in flight was reached.
+    ///
+    /// # Errors
+    /// When the device is lost.
+    pub fn frame(
+        &mut self,
+        gpu: &Gpu,
+        tag: T,
+        record: impl FnOnce(&mut FrameRecorder<'_>),
+    ) -> anyhow::Result<Option<(T, StageTimes)>> {
+        let (slot, done) = match self.free.pop() {
+            Some(slot) => (slot, None),
+            None => {
+                let (slot, done) = self.wait_for_oldest(gpu)?;
+                (slot, Some(done))
+            }
+        };
+        let begin = Instant::now();
+        let mut recorder = FrameRecorder::new(gpu, Some(&slot));
+        record(&mut recorder);
+        let (stages, submission) = recorder.submit();
+        let cpu_ms = begin.elapsed().as_secs_f64() * 1e3;
+        let (sender, mapped) = std::sync::mpsc::channel();
+        slot.readable.map_async(wgpu::MapMode::Read, .., move |result| {
+            // Nobody listens any more if the run was given up.
+            let _ = sender.send(result);
+        });
+        self.pending.push_back(Pending { tag, slot, stages, submission, cpu_ms, mapped });
+        Ok(done)
+    }
+
+    /// Waits for all frames under way.
+    ///
+    /// # Errors
+    /// When the device is lost.
+    pub fn finish(&mut self, gpu: &Gpu) -> anyhow::Result<Vec<(T, StageTimes)>> {
+        let mut done = Vec::new();
+        while !self.pending.is_empty() {
+            let (slot, times) = self.wait_for_oldest(gpu)?;
+            self.free.push(slot);
+            done.push(times);
+        }
+        Ok(done)
+    }
+
+    fn wait_for_oldest(&mut self, gpu: &Gpu) -> anyhow::Result<(Slot, (T, StageTimes))> {
+        let Some(Pending { tag, slot, stages, submission, cpu_ms, mapped }) = self.pending.pop_front() else {
+            unreachable!("every slot is either free or pending")
+        };
+        // Only for this frame: those submitted after it keep the device busy.
+        gpu.device.poll(wgpu::PollType::Wait { submission_index: Some(submission), timeout: None })?;
+        mapped.recv()??;
+        let ticks: Vec<u64> = {
+            let bytes = slot.readable.get_mapped_range(..)?;
+            bytemuck::pod_collect_to_vec(&bytes)
+        };
+        slot.readable.unmap();
+        let ms = |pair: &[u64]| pair[1].saturating_sub(pair[0]) as f64 * self.period_ns / 1e6;
+        let stages = stages.into_iter().zip(ticks.windows(2).map(ms)).collect();
+        Ok((slot, (tag, StageTimes { stages, cpu_ms })))
+    }
+}

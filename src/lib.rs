@@ -1,0 +1,20 @@
+//! svbench: a benchmark of hard-shadow algorithms.
+//!
+//! In reading order, from the user down to the device:
+
+pub mod cli;
+pub mod config;
+
+pub mod bench;
+pub mod report;
+
+pub mod methods;
+pub mod frame;
+pub mod metrics;
+pub mod reference;
+
+pub mod geometry;
+pub mod scene;
+
+pub mod gpu;
+pub mod image;

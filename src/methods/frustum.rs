@@ -1,0 +1,188 @@
+//! The light's frustum: the smallest that covers the casters.
+
+use crate::scene::Mesh;
+use glam::{DVec3, DVec4, Mat4, Vec4};
+use rayon::prelude::*;
+
+/// Widest half-angle of a perspective map: beyond it, texels at the rim cover hardly anything.
+const MAX_HALF_ANGLE_DEG: f64 = 75.0;
+
+/// The nearest depth of a perspective map is at least this part of the farthest one.
+const MIN_NEAR_BY_FAR: f64 = 1e-3;
+
+/// The window is made this much larger, so that no caster touches the rim of the map.
+const MARGIN: f64 = 1e-3;
+
+/// A frustum from the light.
+#[derive(Debug, Clone)]
+pub(super) struct LightFrustum {
+    /// World to the map's clip space: x right, y up, depth 0 at the nearest caster, 1 at the
+    /// farthest.
+    pub view_projection: Mat4,
+    /// Part of the casters' vertices that it covers, 0 to 1.
+    pub covered: f64,
+}
+
+/// Directions of the light's view: right, up, forward.
+struct Axes {
+    origin: DVec3,
+    right: DVec3,
+    up: DVec3,
+    forward: DVec3,
+}
+
+impl Axes {
+    fn new(origin: DVec3, forward: DVec3) -> Self {
+        let forward = forward.normalize_or(DVec3::NEG_Y);
+        let helper = if forward.y.abs() > 0.9 { DVec3::X } else { DVec3::Y };
+        let right = forward.cross(helper).normalize();
+        Self { origin, right, up: right.cross(forward), forward }
+    }
+
+    fn local(&self, p: DVec3) -> DVec3 {
+        let d = p - self.origin;
+        DVec3::new(d.dot(self.right), d.dot(self.up), d.dot(self.forward))
+    }
+
+    /// The row of a matrix that gives `weights · local(p) + constant`.
+    fn row(&self, weights: DVec3, constant: f64) -> DVec4 {
+        let row = self.right * weights.x + self.up * weights.y + self.forward * weights.z;
+        row.extend(constant - row.dot(self.origin))
+    }
+}
+
+/// Range of the casters in the light's view: window (x over depth and y over depth for a point
+/// light, plain x and y for one at infinity) and depth.
+#[derive(Clone, Copy)]
+struct Extent {
+    low: DVec3,
+    high: DVec3,
+    covered: usize,
+}
+
+impl Extent {
+    const EMPTY: Self =
+        Self { low: DVec3::INFINITY, high: DVec3::NEG_INFINITY, covered: 0 };
+
+    fn with(self, p: DVec3) -> Self {
+        Self { low: self.low.min(p), high: self.high.max(p), covered: self.covered + 1 }
+    }
+
+    fn union(self, other: Self) -> Self {
+        Self {
+            low: self.low.min(other.low),
+            high: self.high.max(other.high),
+            covered: self.covered + other.covered,
+        }
+    }
+}
+
+impl LightFrustum {
+    /// Covers all casting vertices of `mesh`; those that lie outside the widest frustum (beside or
+    /// behind a point light among the casters) are left out. `None` if none can be covered.
+    pub(super) fn around_casters(mesh: &Mesh, light: Vec4) -> Option<Self> {
+        let objects: Vec<_> = mesh.casters().collect();
+        let vertices = || objects.par_iter().flat_map(|o| mesh.positions[o.vertex_range()].par_iter());
+        let bounds = vertices()
+            .fold(|| Extent::EMPTY, |extent, p| extent.with(p.as_dvec3()))
+            .reduce(|| Extent::EMPTY, Extent::union);
+        let centre = (bounds.low + bounds.high) / 2.0;
+        let is_point = light.w != 0.0;
+        let position = light.truncate().as_dvec3();
+        let axes = if is_point {
+            Axes::new(position, centre - position)
+        } else {
+            Axes::new(centre, -position)
+        };
+        let max_tangent = MAX_HALF_ANGLE_DEG.to_radians().tan();
+        let window = |p: DVec3| {
+            let local = axes.local(p);
+            if !is_point {
+                return Some(local);
+            }
+            let tangents = (local.truncate() / local.z).extend(local.z);
+            (local.z > 0.0 && tangents.truncate().abs().max_element() <= max_tangent)
+                .then_some(tangents)
+        };
+        let extent = vertices()
+            .filter_map(|p| window(p.as_dvec3()))
+            .fold(|| Extent::EMPTY, Extent::with)
+            .reduce(|| Extent::EMPTY, Extent::union);
+        if extent.covered == 0 {
+            return None;
+        }
+        Some(Self {
+            view_projection: matrix(&axes, &extent, is_point),
+            covered: extent.covered as f64 / bounds.covered as f64,
+        })
+    }
+}
+
+fn matrix(axes: &Axes, extent: &Extent, is_point: bool) -> Mat4 {
+    let size = (extent.high - extent.low).max(DVec3::splat(f64::MIN_POSITIVE));
+    let (near, far) = if is_point {
+        let far = extent.high.z * (1.0 + MARGIN);
+        ((extent.low.z * (1.0 - MARGIN)).max(far * MIN_NEAR_BY_FAR), far)
+    } else {
+        (extent.low.z - MARGIN * size.z, extent.high.z + MARGIN * size.z)
+    };
+    let middle = (extent.high + extent.low) / 2.0;
+    let scale = 2.0 / (size * (1.0 + 2.0 * MARGIN));
+    let rows = if is_point {
+        // Window coordinates are divided by depth: the middle moves with it.
+        let k = far / (far - near);
+        [
+            axes.row(DVec3::new(scale.x, 0.0, -middle.x * scale.x), 0.0),
+            axes.row(DVec3::new(0.0, scale.y, -middle.y * scale.y), 0.0),
+            axes.row(DVec3::new(0.0, 0.0, k), -k * near),
+            axes.row(DVec3::Z, 0.0),
+        ]
+    } else {
+        let k = 1.0 / (far - near);
+        [
+            axes.row(DVec3::X * scale.x, -middle.x * scale.x),
+            axes.row(DVec3::Y * scale.y, -middle.y * scale.y),
+            axes.row(DVec3::Z * k, -near * k),
+            DVec4::W,
+        ]
+    };
+    Mat4::from_cols_array_2d(&rows.map(|row| row.as_vec4().to_array())).transpose()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::sphere_grid::SphereGrid;
+
+    fn clip(frustum: &LightFrustum, p: glam::Vec3) -> glam::Vec3 {
+        let clip = frustum.view_projection * p.extend(1.0);
+        clip.truncate() / clip.w
+    }
+
+    #[test]
+    fn every_caster_is_inside_and_the_rim_is_used() {
+        let mesh = SphereGrid { rows: 3, columns: 4, slices: 8 }.mesh().expect("valid grid");
+        for light in [Vec4::new(3.0, 40.0, 5.0, 1.0), Vec4::new(0.3, 1.0, 0.2, 0.0)] {
+            let frustum = LightFrustum::around_casters(&mesh, light).expect("covers");
+            assert_eq!(frustum.covered, 1.0);
+            let casters = mesh.casters().flat_map(|o| &mesh.positions[o.vertex_range()]);
+            let (mut low, mut high) = (glam::Vec3::INFINITY, glam::Vec3::NEG_INFINITY);
+            for p in casters {
+                let ndc = clip(&frustum, *p);
+                low = low.min(ndc);
+                high = high.max(ndc);
+            }
+            assert!(low.cmpge(glam::Vec3::new(-1.0, -1.0, 0.0)).all(), "{low}");
+            assert!(high.cmple(glam::Vec3::ONE).all(), "{high}");
+            assert!((high - low).truncate().min_element() > 1.99, "{low} {high}");
+        }
+    }
+
+    #[test]
+    fn a_light_among_the_casters_covers_a_part() {
+        let mesh = SphereGrid { rows: 10, columns: 10, slices: 8 }.mesh().expect("valid grid");
+        let light = Vec4::new(0.0, 3.0, 0.0, 1.0);
+        let frustum = LightFrustum::around_casters(&mesh, light).expect("covers some");
+        assert!(frustum.covered > 0.1 && frustum.covered < 1.0, "{}", frustum.covered);
+    }
+}

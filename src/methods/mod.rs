@@ -1,0 +1,120 @@
+//! The shadow methods. Each is one file here, a folder of shaders, and one line in [`registry`].
+//!
+//! A method gets the G-buffer and the view and leaves the shadow mask; all else happens outside.
+//! A [`ShadowMethod`] is a method with its parameters, as a configuration names it; a
+//! [`PreparedMethod`] is that method made ready for one scene on one device.
+
+mod frustum;
+pub mod parameters;
+pub mod registry;
+mod shadow_map;
+mod silhouette;
+mod silhouette_gs;
+mod silhouette_ts;
+
+pub use parameters::ParameterError;
+pub use registry::{REGISTRY, Registration, find};
+
+use crate::frame::Stage;
+use crate::geometry::Topology;
+use crate::gpu::{FrameRecorder, Gpu, Requirement};
+use crate::scene::Scene;
+use serde::Serialize;
+use std::cell::OnceCell;
+
+/// What a method is, needs and cannot do; printed by `svbench list methods`.
+#[derive(Debug, Clone, Serialize)]
+pub struct MethodInfo {
+    /// Its id in configurations and results.
+    pub id: &'static str,
+    /// One line for people.
+    pub title: &'static str,
+    /// Where it comes from.
+    pub source: &'static str,
+    /// What it needs of the device.
+    pub needs: &'static [Requirement],
+    /// What it cannot do or gets wrong, by design.
+    pub limits: &'static [&'static str],
+    /// Its parameters: name, default, meaning.
+    pub parameters: &'static [(&'static str, &'static str, &'static str)],
+}
+
+impl MethodInfo {
+    /// Whether `gpu` can run it.
+    ///
+    /// # Errors
+    /// The reason why not, as a sentence for people.
+    pub fn check(&self, gpu: &Gpu) -> Result<(), String> {
+        self.needs.iter().try_for_each(|requirement| gpu.check(*requirement))
+    }
+}
+
+/// Why a method cannot run on a scene.
+#[derive(Debug, thiserror::Error)]
+pub enum MethodError {
+    /// The device or the scene lacks what the method needs.
+    #[error("{0}")]
+    Unavailable(String),
+    /// A parameter is out of what this device can do.
+    #[error("{0}")]
+    Parameter(String),
+    /// The driver refused.
+    #[error(transparent)]
+    Native(#[from] crate::gpu::native::NativeError),
+}
+
+/// What a method is prepared with: the scene, the shared stages, and what is derived from the mesh
+/// once somebody asks for it.
+pub struct PrepareContext<'a> {
+    /// The device.
+    pub gpu: &'a Gpu,
+    /// The scene as data.
+    pub scene: &'a Scene,
+    /// The scene on the device, targets and view.
+    pub stage: &'a Stage,
+    topology: OnceCell<Topology>,
+}
+
+impl<'a> PrepareContext<'a> {
+    /// For the methods of one scene.
+    pub fn new(gpu: &'a Gpu, scene: &'a Scene, stage: &'a Stage) -> Self {
+        Self { gpu, scene, stage, topology: OnceCell::new() }
+    }
+
+    /// Edges with their opposite vertices; built when the first method asks.
+    pub fn topology(&self) -> &Topology {
+        self.topology.get_or_init(|| Topology::build(&self.scene.mesh))
+    }
+
+    /// The topology if any method has asked for it.
+    pub fn topology_if_built(&self) -> Option<&Topology> {
+        self.topology.get()
+    }
+}
+
+/// A method with its parameters.
+pub trait ShadowMethod {
+    /// What it is.
+    fn info(&self) -> &'static MethodInfo;
+
+    /// The parameters that differ from their defaults, `name=value` joined by commas; empty for
+    /// the default variant.
+    fn variant(&self) -> String;
+
+    /// Makes it ready for a scene. The device meets [`MethodInfo::needs`].
+    ///
+    /// # Errors
+    /// When it cannot run on this scene or device.
+    fn prepare(&self, context: &PrepareContext<'_>) -> Result<Box<dyn PreparedMethod>, MethodError>;
+}
+
+/// A method ready to draw frames of one scene.
+pub trait PreparedMethod {
+    /// Records its stages between G-buffer and shading; they end in the shadow mask.
+    fn record(&self, frame: &mut FrameRecorder<'_>, stage: &Stage);
+
+    /// What a reader of its results should know about this scene.
+    fn warnings(&self) -> Vec<String> {
+        Vec::new()
+    }
+}

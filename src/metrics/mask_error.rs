@@ -1,0 +1,312 @@
+//! How many pixels of a shadow mask are wrong, in which direction, and how far from the true edge.
+
+use rayon::prelude::*;
+use serde::Serialize;
+use std::ops::{Add, AddAssign};
+
+use crate::reference::{ReferenceMask, Verdict};
+
+/// A mask value from which a pixel counts as in shadow.
+const SHADOWED_FROM: u8 = 128;
+
+/// Counts of wrong pixels. `false_lit + false_shadowed` is the same as `boundary_px + artifact_px`,
+/// and `compared_px + ambiguous_px` is the size of the picture.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct MaskError {
+    /// Lit, but in shadow by the reference.
+    pub false_lit: u64,
+    /// In shadow, but lit by the reference or background.
+    pub false_shadowed: u64,
+    /// Of the wrong pixels, those within one pixel of the true shadow boundary.
+    pub boundary_px: u64,
+    /// Of the wrong pixels, those farther from it, and all those at the background.
+    pub artifact_px: u64,
+    /// Left out, because the reference cannot decide.
+    pub ambiguous_px: u64,
+    /// Held against the reference, background included.
+    pub compared_px: u64,
+}
+
+impl MaskError {
+    /// Pixels that are wrong in any way.
+    #[must_use]
+    pub fn wrong_px(&self) -> u64 {
+        self.false_lit + self.false_shadowed
+    }
+}
+
+impl Add for MaskError {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self {
+            false_lit: self.false_lit + other.false_lit,
+            false_shadowed: self.false_shadowed + other.false_shadowed,
+            boundary_px: self.boundary_px + other.boundary_px,
+            artifact_px: self.artifact_px + other.artifact_px,
+            ambiguous_px: self.ambiguous_px + other.ambiguous_px,
+            compared_px: self.compared_px + other.compared_px,
+        }
+    }
+}
+
+impl AddAssign for MaskError {
+    fn add_assign(&mut self, other: Self) {
+        *self = *self + other;
+    }
+}
+
+/// Where a wrong pixel lies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Place {
+    /// Within one pixel of the true shadow boundary.
+    Boundary,
+    /// Farther from it, or at the background.
+    Artifact,
+}
+
+/// What became of one pixel.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PixelResult {
+    /// As the reference says.
+    Right,
+    /// Lit, but in shadow by the reference.
+    FalseLit(Place),
+    /// In shadow, but lit by the reference or background.
+    FalseShadowed(Place),
+    /// The reference cannot decide.
+    Ambiguous,
+}
+
+/// A mask and a reference of different sizes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("a mask of {mask_px} pixels cannot be held against a reference of {reference_px}")]
+pub struct MaskSizeError {
+    /// Pixels of the mask.
+    pub mask_px: usize,
+    /// Pixels of the reference.
+    pub reference_px: usize,
+}
+
+/// A shadow mask held against the reference, pixel by pixel.
+#[derive(Clone, Debug)]
+pub struct MaskComparison<'a> {
+    pub(super) truth: &'a ReferenceMask,
+    results: Vec<PixelResult>,
+}
+
+impl<'a> MaskComparison<'a> {
+    /// Compares a mask (one byte a pixel, by rows from the top; 128 and above is in shadow).
+    ///
+    /// `near_boundary` says of column and row whether the true shadow boundary passes within one
+    /// pixel of the centre, for which there is
+    /// [`BoundaryProbe::near_boundary`](crate::reference::BoundaryProbe::near_boundary). It is
+    /// asked only of wrong pixels that no neighbour's verdict shows to be at the boundary: mostly
+    /// never, so that a caller may build the probe at the first question.
+    ///
+    /// # Errors
+    /// [`MaskSizeError`] for a mask of another size.
+    pub fn new(
+        mask: &[u8],
+        truth: &'a ReferenceMask,
+        near_boundary: impl Fn(u32, u32) -> bool + Sync,
+    ) -> Result<Self, MaskSizeError> {
+        let (mask_px, reference_px) = (mask.len(), truth.verdicts.len());
+        if mask_px != reference_px {
+            return Err(MaskSizeError {
+                mask_px,
+                reference_px,
+            });
+        }
+        let place = |pixel: usize| {
+            let (x, y) = (pixel as u32 % truth.width, pixel as u32 / truth.width);
+            if truth.boundary_among_neighbours(x, y) || near_boundary(x, y) {
+                Place::Boundary
+            } else {
+                Place::Artifact
+            }
+        };
+        let result = |(pixel, (&value, &verdict)): (usize, (&u8, &Verdict))| match (
+            verdict,
+            value >= SHADOWED_FROM,
+        ) {
+            (Verdict::Ambiguous, _) => PixelResult::Ambiguous,
+            (Verdict::Background, true) => PixelResult::FalseShadowed(Place::Artifact),
+            (Verdict::Lit, true) => PixelResult::FalseShadowed(place(pixel)),
+            (Verdict::Shadowed, false) => PixelResult::FalseLit(place(pixel)),
+            (Verdict::Background | Verdict::Lit, false) | (Verdict::Shadowed, true) => {
+                PixelResult::Right
+            }
+        };
+        let pixels = mask
+            .par_iter()
+            .zip(&truth.verdicts)
+            .enumerate()
+            .with_min_len(64);
+        Ok(Self {
+            truth,
+            results: pixels.map(result).collect(),
+        })
+    }
+
+    /// What became of each pixel, by rows from the top.
+    #[must_use]
+    pub fn results(&self) -> &[PixelResult] {
+        &self.results
+    }
+
+    /// The sum over all pixels.
+    #[must_use]
+    pub fn error(&self) -> MaskError {
+        let mut error = MaskError::default();
+        for result in &self.results {
+            let place = match result {
+                PixelResult::Ambiguous => {
+                    error.ambiguous_px += 1;
+                    continue;
+                }
+                PixelResult::Right => None,
+                PixelResult::FalseLit(place) => {
+                    error.false_lit += 1;
+                    Some(place)
+                }
+                PixelResult::FalseShadowed(place) => {
+                    error.false_shadowed += 1;
+                    Some(place)
+                }
+            };
+            error.compared_px += 1;
+            match place {
+                Some(Place::Boundary) => error.boundary_px += 1,
+                Some(Place::Artifact) => error.artifact_px += 1,
+                None => {}
+            }
+        }
+        error
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::sync::atomic::{AtomicU32, Ordering};
+
+    const SIZE: u32 = 32;
+
+    /// A picture of geometry below row 4, with a square shadow in its middle.
+    fn truth() -> ReferenceMask {
+        let verdict = |pixel: u32| match (pixel % SIZE, pixel / SIZE) {
+            (_, 0..4) => Verdict::Background,
+            (8..24, 12..24) => Verdict::Shadowed,
+            _ => Verdict::Lit,
+        };
+        ReferenceMask::new(SIZE, SIZE, (0..SIZE * SIZE).map(verdict).collect()).unwrap()
+    }
+
+    fn error(mask: &[u8]) -> MaskError {
+        MaskComparison::new(mask, &truth(), |_, _| false)
+            .unwrap()
+            .error()
+    }
+
+    #[test]
+    fn an_exact_mask_has_no_error() {
+        let compared_px = u64::from(SIZE * SIZE);
+        assert_eq!(
+            error(&truth().to_grey()),
+            MaskError {
+                compared_px,
+                ..MaskError::default()
+            }
+        );
+    }
+
+    #[test]
+    fn a_mask_shifted_by_a_pixel_is_wrong_at_the_boundary_only() {
+        let mut mask = truth().to_grey();
+        mask.rotate_right(1);
+        let error = error(&mask);
+        assert_eq!((error.false_lit, error.false_shadowed), (12, 12));
+        assert_eq!((error.boundary_px, error.artifact_px), (24, 0));
+    }
+
+    #[test]
+    fn an_inverted_mask_is_mostly_artifact() {
+        let mask: Vec<u8> = truth().to_grey().iter().map(|grey| 255 - grey).collect();
+        let error = error(&mask);
+        assert_eq!(error.wrong_px(), u64::from(SIZE * SIZE));
+        // The shadow's outline: 16 + 16 + 10 + 10 inside it, 18 + 18 + 12 + 12 outside.
+        assert_eq!(error.boundary_px, 112);
+        assert_eq!(error.artifact_px, error.wrong_px() - 112);
+    }
+
+    #[test]
+    fn a_block_far_from_the_edge_is_artifact() {
+        let mut mask = truth().to_grey();
+        let width = SIZE as usize;
+        for y in 27..30 {
+            mask[y * width + 2..y * width + 5].fill(255);
+        }
+        mask[16 * width + 16] = 127;
+        let error = error(&mask);
+        assert_eq!((error.false_shadowed, error.false_lit), (9, 1));
+        assert_eq!((error.boundary_px, error.artifact_px), (0, 10));
+    }
+
+    #[test]
+    fn shadow_on_the_background_is_an_artifact() {
+        let mut mask = truth().to_grey();
+        mask[SIZE as usize + 1] = 128;
+        let error = MaskComparison::new(&mask, &truth(), |_, _| true)
+            .unwrap()
+            .error();
+        assert_eq!(
+            (error.false_shadowed, error.artifact_px, error.boundary_px),
+            (1, 1, 0)
+        );
+    }
+
+    #[test]
+    fn ambiguous_pixels_are_left_out() {
+        let mut truth = truth();
+        truth.verdicts[20 * SIZE as usize + 3] = Verdict::Ambiguous;
+        let error = MaskComparison::new(&[255; 1024], &truth, |_, _| false)
+            .unwrap()
+            .error();
+        assert_eq!((error.ambiguous_px, error.compared_px), (1, 1023));
+        assert_eq!(error.false_shadowed, 1023 - 16 * 12);
+    }
+
+    #[test]
+    fn the_probe_is_asked_of_doubtful_pixels_only() {
+        let mut mask = truth().to_grey();
+        mask.rotate_right(1);
+        mask[29 * SIZE as usize + 3] = 255;
+        let asked = AtomicU32::new(0);
+        let thin_shadow = |x, y| {
+            asked.fetch_add(1, Ordering::Relaxed);
+            (x, y) == (3, 29)
+        };
+        let error = MaskComparison::new(&mask, &truth(), thin_shadow)
+            .unwrap()
+            .error();
+        assert_eq!(asked.into_inner(), 1);
+        assert_eq!((error.boundary_px, error.artifact_px), (25, 0));
+    }
+
+    #[test]
+    fn errors_add_up_and_sizes_must_agree() {
+        let one = error(&[255; 1024]);
+        let mut sum = one + one;
+        sum += MaskError::default();
+        assert_eq!(sum.false_shadowed, 2 * one.false_shadowed);
+        let wrong = MaskComparison::new(&[0; 3], &truth(), |_, _| false).unwrap_err();
+        assert_eq!(
+            wrong,
+            MaskSizeError {
+                mask_px: 3,
+                reference_px: 1024
+            }
+        );
+    }
+}

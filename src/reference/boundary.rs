@@ -1,0 +1,130 @@
+//! Where the true shadow boundary runs, finer than a pixel: asked of wrong pixels only.
+
+use glam::{DVec2, Vec4};
+use std::sync::atomic::{AtomicU8, Ordering};
+
+use super::segment::Light;
+use super::view::Projection;
+use super::{Reference, ReferenceError, ReferenceMask, ReferenceView, Verdict};
+
+/// Samples along a pixel's side. A shadow thinner than a quarter of a pixel may go unseen.
+const SAMPLES_PER_PX: i64 = 4;
+
+/// Answers whether the true shadow boundary passes within one pixel of a pixel's centre (in the
+/// square of two pixels by two around it).
+///
+/// A shadow may be thinner than a pixel, so verdicts at pixel centres are not enough: where they
+/// all agree, the surface is sampled on a lattice of a quarter of a pixel. What is learnt is kept,
+/// since wrong pixels come in clusters and their squares overlap.
+pub struct BoundaryProbe<'a> {
+    reference: &'a Reference,
+    light: Light,
+    projection: Projection,
+    truth: &'a ReferenceMask,
+    /// The lattice, by rows; 0 where not yet sampled.
+    samples: Vec<AtomicU8>,
+}
+
+impl<'a> BoundaryProbe<'a> {
+    /// A probe for the picture that `truth` was traced for.
+    ///
+    /// # Errors
+    /// As [`Reference::trace`].
+    pub fn new(
+        reference: &'a Reference,
+        light: Vec4,
+        view: &ReferenceView,
+        truth: &'a ReferenceMask,
+    ) -> Result<Self, ReferenceError> {
+        let (expected, found) = (view.pixel_count(), truth.verdicts.len());
+        if (truth.width, truth.height) != (view.width, view.height) || expected != found {
+            return Err(ReferenceError::WrongSize { expected, found });
+        }
+        let (light, projection) = (Light::new(light)?, Projection::new(view)?);
+        let samples_len = expected * (SAMPLES_PER_PX * SAMPLES_PER_PX) as usize;
+        let samples = (0..samples_len).map(|_| AtomicU8::new(0)).collect();
+        Ok(Self {
+            reference,
+            light,
+            projection,
+            truth,
+            samples,
+        })
+    }
+
+    /// Whether the true shadow boundary passes within one pixel of the centre of this pixel.
+    ///
+    /// Never at a background pixel: the outline of the geometry is no shadow boundary.
+    #[must_use]
+    pub fn near_boundary(&self, x: u32, y: u32) -> bool {
+        let (column, row) = (i64::from(x), i64::from(y));
+        let Some(centre) = self.truth.get(column, row).filter(|v| v.is_surface()) else {
+            return false;
+        };
+        if self.truth.boundary_among_neighbours(x, y) {
+            return true;
+        }
+        // The pixel's own samples and half of each neighbour's.
+        let reach = SAMPLES_PER_PX / 2;
+        let span =
+            |pixel: i64| pixel * SAMPLES_PER_PX - reach..(pixel + 1) * SAMPLES_PER_PX + reach;
+        span(row).any(|j| {
+            span(column).any(|i| {
+                self.sample(i, j)
+                    .is_some_and(|v| v.is_surface() && v != centre)
+            })
+        })
+    }
+
+    /// The verdict at a point of the lattice, or `None` outside the picture.
+    fn sample(&self, i: i64, j: i64) -> Option<Verdict> {
+        let columns = i64::from(self.truth.width) * SAMPLES_PER_PX;
+        let rows = i64::from(self.truth.height) * SAMPLES_PER_PX;
+        if !(0..columns).contains(&i) || !(0..rows).contains(&j) {
+            return None;
+        }
+        // Relaxed: two threads may both trace a sample, and will store the same.
+        let slot = &self.samples[(j * columns + i) as usize];
+        if let Some(verdict) = decode(slot.load(Ordering::Relaxed)) {
+            return Some(verdict);
+        }
+        let place_px = DVec2::new(i as f64 + 0.5, j as f64 + 0.5) / SAMPLES_PER_PX as f64;
+        let seen = self.reference.visible(&self.projection, place_px);
+        let verdict = seen.map_or(Verdict::Background, |(own, point)| {
+            self.reference
+                .judge(own, point, self.projection.eye, self.light, &mut None)
+        });
+        slot.store(encode(verdict), Ordering::Relaxed);
+        Some(verdict)
+    }
+}
+
+const VERDICTS: [Verdict; 4] = [
+    Verdict::Background,
+    Verdict::Lit,
+    Verdict::Shadowed,
+    Verdict::Ambiguous,
+];
+
+fn encode(verdict: Verdict) -> u8 {
+    verdict as u8 + 1
+}
+
+fn decode(byte: u8) -> Option<Verdict> {
+    VERDICTS.get(usize::from(byte).checked_sub(1)?).copied()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn bytes_of_samples_round_trip() {
+        assert_eq!(decode(0), None);
+        assert!(
+            VERDICTS
+                .into_iter()
+                .all(|verdict| decode(encode(verdict)) == Some(verdict))
+        );
+    }
+}

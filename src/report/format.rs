@@ -1,0 +1,63 @@
+//! Numbers as people read them, the same in every output.
+
+/// A count with its thousands set apart: `262,267`.
+pub fn count(value: u64) -> String {
+    let digits = value.to_string();
+    let mut text = String::with_capacity(digits.len() + digits.len() / 3);
+    for (index, digit) in digits.chars().enumerate() {
+        if index > 0 && (digits.len() - index).is_multiple_of(3) {
+            text.push(',');
+        }
+        text.push(digit);
+    }
+    text
+}
+
+/// A time in milliseconds, to the microsecond: no timer that we read is finer in practice.
+pub fn ms(value: f64) -> String {
+    format!("{value:.3}")
+}
+
+/// Frames per second.
+pub fn fps(value: f64) -> String {
+    format!("{value:.1}")
+}
+
+/// Pixels per verified frame. Only none at all is `0`: a pixel wrong in one frame of a thousand is
+/// still wrong and must not round to nothing.
+pub fn px_per_frame(sum_px: u64, frames: u32) -> String {
+    if sum_px == 0 {
+        return "0".to_owned();
+    }
+    let mean = sum_px as f64 / f64::from(frames.max(1));
+    if mean < 0.001 {
+        "<0.001".to_owned()
+    } else if mean < 0.1 {
+        format!("{mean:.3}")
+    } else {
+        let tenths = (mean * 10.0).round() as u64;
+        format!("{}.{}", count(tenths / 10), tenths % 10)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn counts_are_grouped_by_thousands() {
+        assert_eq!(count(0), "0");
+        assert_eq!(count(999), "999");
+        assert_eq!(count(32_400), "32,400");
+        assert_eq!(count(1_960_000), "1,960,000");
+    }
+
+    #[test]
+    fn a_wrong_pixel_never_rounds_to_none() {
+        assert_eq!(px_per_frame(0, 8), "0");
+        assert_eq!(px_per_frame(1, 8), "0.1");
+        assert_eq!(px_per_frame(1, 64), "0.016");
+        assert_eq!(px_per_frame(1, 5000), "<0.001");
+        assert_eq!(px_per_frame(99_999, 8), "12,499.9");
+    }
+}

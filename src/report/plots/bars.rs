@@ -1,0 +1,239 @@
+//! Grouped bars: a group per scene, a bar per contender, a whisker up to the 95th percentile.
+
+use anyhow::Result;
+use plotters::prelude::DrawingBackend;
+
+use super::axis::Axis;
+use super::canvas::{self, CENTER, Canvas, INK, LEFT, MUTED, PAPER, RIGHT, text_width_px};
+use super::legend::{self, Entry};
+use super::lines::Frame;
+use crate::report::load::Contender;
+
+const GROUP_NAME_PX: i32 = 13;
+/// Group names that cannot be broken to fit are turned upright and get this much room.
+const UPRIGHT_PX: i32 = 150;
+const MAX_BAR_PX: i32 = 56;
+
+/// A chart of grouped bars.
+#[derive(Debug)]
+pub(super) struct BarChart {
+    pub(super) y: Axis,
+    pub(super) contenders: Vec<Contender>,
+    pub(super) groups: Vec<Group>,
+}
+
+/// The bars of one scene.
+#[derive(Debug)]
+pub(super) struct Group {
+    pub(super) name: String,
+    /// A bar per contender, in their order; `None` where nothing was measured.
+    pub(super) bars: Vec<Option<Bar>>,
+}
+
+/// A bar and its whisker.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Bar {
+    pub(super) median: f64,
+    pub(super) p95: f64,
+}
+
+/// Where a group of bars stands.
+#[derive(Debug, Clone, Copy)]
+struct Slots {
+    /// Left edge of the first bar.
+    left: i32,
+    /// From one bar to the next.
+    pitch: i32,
+}
+
+impl BarChart {
+    pub(super) fn paint<DB: DrawingBackend>(&self, canvas: &Canvas<'_, DB>) -> Result<()>
+    where
+        DB::ErrorType: 'static,
+    {
+        let (width, height) = canvas.size();
+        let legend_px = legend::width_px(self.contenders.iter());
+        let (left, right) = (84, width - legend_px);
+        let group_px = (right - left) / i32::try_from(self.groups.len())?.max(1);
+        let names: Option<Vec<Vec<String>>> = self
+            .groups
+            .iter()
+            .map(|group| broken(&group.name, group_px - 6))
+            .collect();
+        let lines = names
+            .iter()
+            .flatten()
+            .map(Vec::len)
+            .max()
+            .unwrap_or_default() as i32;
+        let name_px = if names.is_some() {
+            14 + 17 * lines
+        } else {
+            UPRIGHT_PX
+        };
+        let frame = Frame {
+            left,
+            right,
+            top: 52,
+            bottom: height - name_px - 12,
+        };
+
+        frame.paint_y_axis(canvas, &self.y)?;
+        for (index, group) in self.groups.iter().enumerate() {
+            let group_left = left + index as i32 * group_px;
+            self.paint_group(canvas, frame, group, (group_left, group_px))?;
+            let lines = names.as_ref().map(|names| names[index].as_slice());
+            paint_name(
+                canvas,
+                &group.name,
+                lines,
+                (group_left + group_px / 2, frame.bottom),
+            )?;
+        }
+        canvas.line(vec![(left, frame.bottom), (right, frame.bottom)], MUTED, 1)?;
+
+        let entries = self
+            .contenders
+            .iter()
+            .enumerate()
+            .map(|(index, contender)| Entry {
+                index,
+                contender,
+                wanted_y: frame.top + index as i32,
+            });
+        legend::paint(
+            canvas,
+            entries.collect(),
+            right,
+            (frame.top - 10, height - 10),
+        )
+    }
+
+    fn paint_group<DB: DrawingBackend>(
+        &self,
+        canvas: &Canvas<'_, DB>,
+        frame: Frame,
+        group: &Group,
+        (group_left, group_px): (i32, i32),
+    ) -> Result<()>
+    where
+        DB::ErrorType: 'static,
+    {
+        let bars = group.bars.len().max(1) as i32;
+        let pitch = (group_px * 5 / 6 / bars).clamp(2, MAX_BAR_PX);
+        let slots = Slots {
+            left: group_left + (group_px - pitch * bars) / 2,
+            pitch,
+        };
+        for (index, bar) in group.bars.iter().enumerate() {
+            match bar {
+                Some(bar) => self.paint_bar(canvas, frame, *bar, (index, slots))?,
+                None if pitch >= 12 => {
+                    let at = (
+                        slots.left + index as i32 * pitch + pitch / 2,
+                        frame.bottom - 6,
+                    );
+                    canvas.text_upwards("not measured", at, 12, MUTED, LEFT)?;
+                }
+                None => {}
+            }
+        }
+        Ok(())
+    }
+
+    fn paint_bar<DB: DrawingBackend>(
+        &self,
+        canvas: &Canvas<'_, DB>,
+        frame: Frame,
+        bar: Bar,
+        (index, slots): (usize, Slots),
+    ) -> Result<()>
+    where
+        DB::ErrorType: 'static,
+    {
+        let left = slots.left + index as i32 * slots.pitch;
+        let right = left + (slots.pitch - (slots.pitch / 8).max(1)).max(1);
+        let middle = (left + right) / 2;
+        let (top, whisker) = (frame.y(&self.y, bar.median), frame.y(&self.y, bar.p95));
+        canvas.rect([(left, top), (right, frame.bottom)], canvas::color(index))?;
+        if slots.pitch >= 12 && frame.bottom - top >= 20 {
+            canvas.marker(index, (middle, frame.bottom - 10), 3, PAPER)?;
+        }
+        canvas.line(vec![(middle, top), (middle, whisker)], INK, 1)?;
+        let cap = (slots.pitch / 6).clamp(1, 5);
+        canvas.line(
+            vec![(middle - cap, whisker), (middle + cap, whisker)],
+            INK,
+            1,
+        )?;
+        let value = three_digits(bar.median);
+        if text_width_px(&value, 12) <= slots.pitch + 6 {
+            canvas.text(&value, (middle, whisker - 9), 12, INK, CENTER)?;
+        }
+        Ok(())
+    }
+}
+
+/// A value as a bar's label: three significant digits are what one reads off a chart.
+fn three_digits(value: f64) -> String {
+    match value {
+        v if v >= 100.0 => format!("{v:.0}"),
+        v if v >= 10.0 => format!("{v:.1}"),
+        v => format!("{v:.2}"),
+    }
+}
+
+fn paint_name<DB: DrawingBackend>(
+    canvas: &Canvas<'_, DB>,
+    name: &str,
+    lines: Option<&[String]>,
+    (middle, bottom): (i32, i32),
+) -> Result<()>
+where
+    DB::ErrorType: 'static,
+{
+    let Some(lines) = lines else {
+        let chars = UPRIGHT_PX / text_width_px("n", GROUP_NAME_PX);
+        let name = canvas::shortened(name, chars as usize);
+        return canvas.text_upwards(&name, (middle, bottom + 8), GROUP_NAME_PX, INK, RIGHT);
+    };
+    for (index, line) in lines.iter().enumerate() {
+        let at = (middle, bottom + 16 + 17 * index as i32);
+        canvas.text(line, at, GROUP_NAME_PX, INK, CENTER)?;
+    }
+    Ok(())
+}
+
+/// `name` broken after underscores and spaces into at most three lines of `width_px`, where it fits.
+fn broken(name: &str, width_px: i32) -> Option<Vec<String>> {
+    let mut lines = vec![String::new()];
+    for part in name.split_inclusive(['_', ' ']) {
+        let last = lines.last_mut()?;
+        if !last.is_empty() && text_width_px(&format!("{last}{part}"), GROUP_NAME_PX) > width_px {
+            lines.push(part.to_owned());
+        } else {
+            last.push_str(part);
+        }
+    }
+    let fits = lines.len() <= 3
+        && lines
+            .iter()
+            .all(|line| text_width_px(line.trim_end(), GROUP_NAME_PX) <= width_px);
+    fits.then_some(lines)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::broken;
+
+    #[test]
+    fn names_break_where_words_end() {
+        assert_eq!(broken("sponza", 60).unwrap(), ["sponza"]);
+        assert_eq!(
+            broken("sphere_grid_n140", 90).unwrap(),
+            ["sphere_grid_", "n140"]
+        );
+        assert_eq!(broken("a_name_of_very_many_parts", 40), None);
+        assert_eq!(broken("unbreakable", 40), None);
+    }
+}

@@ -1,0 +1,65 @@
+//! Shadow time along the flight: where a method pays, and whether it pays evenly.
+
+use std::collections::BTreeMap;
+
+use super::axis::Axis;
+use super::lines::{Line, LineChart};
+use super::{Chart, Figure};
+use crate::bench::record::{Summary, file_safe};
+use crate::bench::statistics::median;
+use crate::report::load::Run;
+
+/// A figure per scene in which at least two frames were measured.
+pub(super) fn figures(run: &Run) -> Vec<Figure> {
+    run.scenes()
+        .into_iter()
+        .filter_map(|scene| figure(run, scene))
+        .collect()
+}
+
+fn figure(run: &Run, scene: &str) -> Option<Figure> {
+    let contenders = run.contenders();
+    let mut lines = Vec::new();
+    for row in run.rows(scene) {
+        let contender = run.contender(row);
+        let index = contenders.iter().position(|other| *other == contender)?;
+        let points = along_flight(run, row);
+        if points.len() >= 2 {
+            lines.push(Line {
+                index,
+                contender,
+                points,
+            });
+        }
+    }
+    if lines.is_empty() {
+        return None;
+    }
+    let points = lines.iter().flat_map(|line| line.points.iter().copied());
+    let x = Axis::exact(
+        "Time along the flight, s",
+        points.clone().map(|point| point.0),
+    );
+    let y = Axis::fit("Shadow time, ms", points.map(|point| point.1));
+    Some(Figure {
+        name: format!("flight_{}", file_safe(scene)),
+        title: format!("Shadow time along the flight, {}", run.scene_title(scene)),
+        chart: Chart::Lines(LineChart { x, y, lines }),
+    })
+}
+
+/// Time on the flight and shadow time, a point per frame; the median where a frame was measured more
+/// than once.
+fn along_flight(run: &Run, row: &Summary) -> Vec<(f64, f64)> {
+    let mut frames: BTreeMap<u32, (f64, Vec<f64>)> = BTreeMap::new();
+    for sample in run.samples_of(row) {
+        let (_, shadow_ms) = frames
+            .entry(sample.frame)
+            .or_insert_with(|| (sample.time_s, Vec::new()));
+        shadow_ms.push(sample.shadow_ms);
+    }
+    frames
+        .into_values()
+        .filter_map(|(time_s, all)| Some((time_s, median(&all)?)))
+        .collect()
+}

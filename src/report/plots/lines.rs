@@ -1,0 +1,141 @@
+//! Line charts: a line per contender, named at its end.
+
+use anyhow::Result;
+use plotters::prelude::DrawingBackend;
+
+use super::axis::Axis;
+use super::canvas::{self, CENTER, Canvas, GRID, INK, MUTED, Px, RIGHT};
+use super::legend::{self, Entry};
+use crate::report::load::Contender;
+
+/// Markers on a line with more points than this are thinned out to about this number.
+const MAX_MARKERS: usize = 10;
+
+/// A line chart.
+#[derive(Debug)]
+pub(super) struct LineChart {
+    pub(super) x: Axis,
+    pub(super) y: Axis,
+    pub(super) lines: Vec<Line>,
+}
+
+/// One contender's points, by ascending x.
+#[derive(Debug)]
+pub(super) struct Line {
+    /// Place in the run's list of contenders: its colour and marker.
+    pub(super) index: usize,
+    pub(super) contender: Contender,
+    pub(super) points: Vec<(f64, f64)>,
+}
+
+/// The rectangle that data is drawn in, in pixels.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Frame {
+    pub(super) left: i32,
+    pub(super) right: i32,
+    pub(super) top: i32,
+    pub(super) bottom: i32,
+}
+
+impl Frame {
+    pub(super) fn x(&self, axis: &Axis, value: f64) -> i32 {
+        self.left + (f64::from(self.right - self.left) * axis.fraction(value)).round() as i32
+    }
+
+    pub(super) fn y(&self, axis: &Axis, value: f64) -> i32 {
+        self.bottom - (f64::from(self.bottom - self.top) * axis.fraction(value)).round() as i32
+    }
+
+    /// Draws the vertical axis with its grid.
+    pub(super) fn paint_y_axis<DB: DrawingBackend>(
+        &self,
+        canvas: &Canvas<'_, DB>,
+        axis: &Axis,
+    ) -> Result<()>
+    where
+        DB::ErrorType: 'static,
+    {
+        for (value, label) in axis.ticks() {
+            let y = self.y(axis, value);
+            canvas.line(vec![(self.left, y), (self.right, y)], GRID, 1)?;
+            canvas.text(&label, (self.left - 8, y), 14, MUTED, RIGHT)?;
+        }
+        let middle = (self.top + self.bottom) / 2;
+        canvas.text_upwards(&axis.title, (20, middle), 15, INK, CENTER)
+    }
+}
+
+impl LineChart {
+    pub(super) fn paint<DB: DrawingBackend>(&self, canvas: &Canvas<'_, DB>) -> Result<()>
+    where
+        DB::ErrorType: 'static,
+    {
+        let (width, height) = canvas.size();
+        let legend_px = legend::width_px(self.lines.iter().map(|line| &line.contender));
+        let frame = Frame {
+            left: 84,
+            right: width - legend_px,
+            top: 52,
+            bottom: height - 62,
+        };
+        frame.paint_y_axis(canvas, &self.y)?;
+        self.paint_x_axis(canvas, frame)?;
+        for line in &self.lines {
+            self.paint_line(canvas, frame, line)?;
+        }
+        let entries = self.lines.iter().filter_map(|line| {
+            let (_, end) = line.points.last()?;
+            let wanted_y = frame.y(&self.y, *end);
+            Some(Entry {
+                index: line.index,
+                contender: &line.contender,
+                wanted_y,
+            })
+        });
+        legend::paint(
+            canvas,
+            entries.collect(),
+            frame.right,
+            (frame.top - 10, height - 10),
+        )
+    }
+
+    fn paint_x_axis<DB: DrawingBackend>(&self, canvas: &Canvas<'_, DB>, frame: Frame) -> Result<()>
+    where
+        DB::ErrorType: 'static,
+    {
+        for (value, label) in self.x.ticks() {
+            let x = frame.x(&self.x, value);
+            canvas.line(vec![(x, frame.top), (x, frame.bottom)], GRID, 1)?;
+            canvas.text(&label, (x, frame.bottom + 16), 14, MUTED, CENTER)?;
+        }
+        canvas.line(
+            vec![(frame.left, frame.bottom), (frame.right, frame.bottom)],
+            MUTED,
+            1,
+        )?;
+        let middle = (frame.left + frame.right) / 2;
+        canvas.text(&self.x.title, (middle, frame.bottom + 42), 15, INK, CENTER)
+    }
+
+    fn paint_line<DB: DrawingBackend>(
+        &self,
+        canvas: &Canvas<'_, DB>,
+        frame: Frame,
+        line: &Line,
+    ) -> Result<()>
+    where
+        DB::ErrorType: 'static,
+    {
+        let color = canvas::color(line.index);
+        let place = |(x, y): &(f64, f64)| (frame.x(&self.x, *x), frame.y(&self.y, *y));
+        let points: Vec<Px> = line.points.iter().map(place).collect();
+        canvas.line(points.clone(), color, 2)?;
+        let step = points.len().div_ceil(MAX_MARKERS).max(1);
+        // Lines begin their markers at different points, so that near ones do not hide each other.
+        for at in points.iter().skip((line.index * 3) % step).step_by(step) {
+            canvas.marker(line.index, *at, 4, color)?;
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,48 @@
+//! Shadow time of every method in every scene, side by side.
+
+use super::axis::Axis;
+use super::bars::{Bar, BarChart, Group};
+use super::{Chart, Figure};
+use crate::report::load::Run;
+
+/// The figure; `None` where nothing was measured.
+pub(super) fn figure(run: &Run) -> Option<Figure> {
+    let contenders = run.contenders();
+    let groups: Vec<Group> = run
+        .scenes()
+        .into_iter()
+        .map(|scene| {
+            let mut bars = vec![None; contenders.len()];
+            for row in run.rows(scene) {
+                let contender = run.contender(row);
+                let index = contenders.iter().position(|other| *other == contender);
+                let bar = row.shadow_ms_median.zip(row.shadow_ms_p95);
+                if let (Some(index), Some((median, p95))) = (index, bar) {
+                    bars[index] = Some(Bar { median, p95 });
+                }
+            }
+            Group {
+                name: scene.to_owned(),
+                bars,
+            }
+        })
+        .filter(|group| group.bars.iter().any(Option::is_some))
+        .collect();
+    if groups.is_empty() {
+        return None;
+    }
+    let bars = groups.iter().flat_map(|group| group.bars.iter().flatten());
+    let y = Axis::fit(
+        "Shadow time, median and p95, ms",
+        bars.flat_map(|bar| [bar.median, bar.p95]),
+    );
+    Some(Figure {
+        name: "shadow_time_by_scene".to_owned(),
+        title: "Shadow time by scene".to_owned(),
+        chart: Chart::Bars(BarChart {
+            y,
+            contenders,
+            groups,
+        }),
+    })
+}

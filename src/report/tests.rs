@@ -1,0 +1,245 @@
+//! The outputs as a whole, over made-up run directories.
+
+use std::fs;
+
+use tempfile::TempDir;
+
+use super::fixture::{HOSTILE, LEGEND, cell, info, made_up_run, samples, write_run};
+use super::*;
+use crate::bench::record::{
+    IMAGES_DIR, ImageKind, RUN_FILE, RunStatus, SAMPLES_FILE, SUMMARY_FILE, Status, Summary,
+    image_name,
+};
+
+/// The page alone: PNGs take most of a report's time, and few tests read them.
+fn html_of(dir: &TempDir) -> String {
+    let run = Run::read(dir.path()).unwrap();
+    html::page(&run, &plots::draw(&run).unwrap(), &LEGEND).unwrap()
+}
+
+#[test]
+fn the_table_groups_by_scene_and_shows_times_errors_and_reasons() {
+    let dir = made_up_run();
+    let table = table::markdown(&Run::read(dir.path()).unwrap());
+    let lines: Vec<&str> = table.lines().collect();
+    assert!(
+        lines[2].starts_with("| **grid_n10**, 1,000 tri, 4 obj"),
+        "{table}"
+    );
+    let fields = |line: &str| {
+        line.split('|')
+            .map(|f| f.trim().to_owned())
+            .collect::<Vec<_>>()
+    };
+    // 1237 false lit pixels in two frames, 1234 of them artifacts.
+    assert_eq!(
+        fields(lines[3])[1..12],
+        [
+            "fast", "307.7", "3.250", "2.008", "2.015", "1.000", "618.5", "0", "617.0", "8.5",
+            "wrong"
+        ]
+    );
+    assert_eq!(
+        fields(lines[4])[4],
+        "**5.008**",
+        "only a method without artifacts is best: {table}"
+    );
+    assert_eq!(
+        fields(lines[5])[11],
+        "unavailable: the device has no geometry stage"
+    );
+    let widths: Vec<usize> = lines[..5].iter().map(|line| line.chars().count()).collect();
+    assert!(widths.iter().all(|width| *width == widths[0]), "{table}");
+}
+
+#[test]
+fn the_page_holds_every_figure_of_the_summary() {
+    let dir = made_up_run();
+    let page = html_of(&dir);
+    let mut reader = csv::Reader::from_path(dir.path().join(SUMMARY_FILE)).unwrap();
+    let (_, figures) = page.split_once("All figures, unrounded").unwrap();
+    for record in reader.records().map(|record| record.unwrap()) {
+        for field in record.iter().filter(|field| !field.is_empty()) {
+            assert!(
+                figures.contains(&format!(">{field}<")),
+                "{field} is missing"
+            );
+        }
+    }
+}
+
+#[test]
+fn the_page_needs_nothing_else() {
+    let dir = made_up_run();
+    let images = dir.path().join(IMAGES_DIR);
+    fs::create_dir(&images).unwrap();
+    fs::write(
+        images.join(image_name("grid_n10", "fast", "", ImageKind::Mask)),
+        b"png",
+    )
+    .unwrap();
+    let page = html_of(&dir);
+    assert!(page.contains("src=\"data:image/png;base64,cG5n\""));
+    assert!(page.contains("alt=\"grid_n10, fast: shadow mask\""));
+    assert!(page.contains("background:rgb(230,60,40)"));
+    let foreign = page.replace("http://www.w3.org/2000/svg", "");
+    for request in ["http:", "https:", "<script", "<link", "@import", "url("] {
+        assert!(!foreign.contains(request), "{request}");
+    }
+}
+
+#[test]
+fn names_cannot_break_out_of_the_outputs() {
+    let dir = tempfile::tempdir().unwrap();
+    let info = info(&[HOSTILE], &[HOSTILE]);
+    let cell = cell(&info, HOSTILE, HOSTILE, 10);
+    let own = samples(&cell, 2.0);
+    let summary = Summary::from_samples(&cell, &own, None, Status::Unverified, "a|b\n<img src=x>");
+    write_run(dir.path(), &info, &own, &[summary]);
+    let page = html_of(&dir);
+    assert!(
+        !page.contains("<script") && !page.contains("<img src=x"),
+        "not escaped"
+    );
+    assert!(page.contains("&lt;script&gt;"));
+    let table = table::markdown(&Run::read(dir.path()).unwrap());
+    assert!(table.contains("a\\|b \\<img src=x>"), "{table}");
+}
+
+#[test]
+fn banners_say_what_spoils_the_run() {
+    let dir = made_up_run();
+    let page = html_of(&dir);
+    assert!(page.contains("2 cells are wrong."));
+    assert!(!page.contains("This run was interrupted") && !page.contains("Software device"));
+
+    let mut info = Run::read(dir.path()).unwrap().info;
+    info.status = RunStatus::Interrupted;
+    info.device.device_type = "Cpu".to_owned();
+    fs::write(
+        dir.path().join(RUN_FILE),
+        serde_json::to_string(&info).unwrap(),
+    )
+    .unwrap();
+    let page = html_of(&dir);
+    assert!(page.contains("This run was interrupted.") && page.contains("Software device."));
+}
+
+#[test]
+fn every_plot_is_written_as_svg_and_png_and_nothing_half_written_stays() {
+    let dir = made_up_run();
+    write_all(dir.path(), &LEGEND).unwrap();
+    let plots = dir.path().join(PLOTS_DIR);
+    let names = [
+        "shadow_time_by_triangles",
+        "shadow_time_by_scene",
+        "flight_grid_n10",
+        "flight_grid_n20",
+    ];
+    for name in names {
+        let svg = fs::read_to_string(plots.join(format!("{name}.svg"))).unwrap();
+        assert!(
+            svg.contains("slow") && svg.trim_end().ends_with("</svg>"),
+            "{name}"
+        );
+        let png = fs::read(plots.join(format!("{name}.png"))).unwrap();
+        assert!(
+            png.starts_with(b"\x89PNG") && png.len() > 5000,
+            "{name}: {} bytes",
+            png.len()
+        );
+    }
+    assert_eq!(fs::read_dir(&plots).unwrap().count(), 2 * names.len());
+    let files = fs::read_dir(dir.path()).unwrap();
+    assert!(
+        files
+            .flatten()
+            .all(|file| !file.file_name().to_string_lossy().contains("partial"))
+    );
+}
+
+#[test]
+fn a_run_without_samples_still_has_a_report() {
+    let dir = tempfile::tempdir().unwrap();
+    write_run(dir.path(), &info(&["grid"], &["fast"]), &[], &[]);
+    let page = fs::read_to_string(write_all(dir.path(), &LEGEND).unwrap()).unwrap();
+    assert!(page.contains("Nothing was measured."));
+    let table = fs::read_to_string(dir.path().join(TABLE_FILE)).unwrap();
+    assert_eq!(table, "Nothing was measured.\n");
+}
+
+#[test]
+fn a_folder_that_is_no_run_is_named_as_such() {
+    let dir = tempfile::tempdir().unwrap();
+    let error = format!("{:#}", write_all(dir.path(), &LEGEND).unwrap_err());
+    assert!(
+        error.contains("not a run directory") && error.contains(RUN_FILE),
+        "{error}"
+    );
+
+    write_run(dir.path(), &info(&[], &[]), &[], &[]);
+    fs::remove_file(dir.path().join(SAMPLES_FILE)).unwrap();
+    let error = format!("{:#}", write_all(dir.path(), &LEGEND).unwrap_err());
+    assert!(
+        error.contains(SAMPLES_FILE) && error.contains("missing"),
+        "{error}"
+    );
+}
+
+#[test]
+fn a_newer_format_is_refused_by_its_number() {
+    let dir = tempfile::tempdir().unwrap();
+    fs::write(dir.path().join(RUN_FILE), r#"{"format": 99}"#).unwrap();
+    let error = format!("{:#}", write_all(dir.path(), &LEGEND).unwrap_err());
+    assert!(error.contains("format 99"), "{error}");
+}
+
+#[test]
+fn a_malformed_row_is_reported_with_file_and_line() {
+    let dir = made_up_run();
+    let path = dir.path().join(SAMPLES_FILE);
+    let text = fs::read_to_string(&path).unwrap();
+    fs::write(&path, text.replacen("grid_n10,1000", "grid_n10,many", 2)).unwrap();
+    let error = format!("{:#}", write_all(dir.path(), &LEGEND).unwrap_err());
+    assert!(
+        error.contains("samples.csv, line 2") && error.contains("invalid digit"),
+        "{error}"
+    );
+
+    fs::write(&path, format!("{text}only,three,fields\n")).unwrap();
+    let error = format!("{:#}", write_all(dir.path(), &LEGEND).unwrap_err());
+    assert!(
+        error.contains("line 14") && error.contains("3 fields"),
+        "{error}"
+    );
+}
+
+#[test]
+fn a_run_that_was_cut_off_is_read_as_far_as_it_goes() {
+    let dir = made_up_run();
+    let mut info = Run::read(dir.path()).unwrap().info;
+    info.status = RunStatus::Running;
+    fs::write(
+        dir.path().join(RUN_FILE),
+        serde_json::to_string(&info).unwrap(),
+    )
+    .unwrap();
+    fs::remove_file(dir.path().join(SUMMARY_FILE)).unwrap();
+    let path = dir.path().join(SAMPLES_FILE);
+    let text = fs::read_to_string(&path).unwrap();
+    fs::write(&path, &text[..text.len() - 20]).unwrap();
+
+    let run = Run::read(dir.path()).unwrap();
+    assert_eq!(run.samples.len(), 11);
+    assert_eq!(run.summaries.len(), 4);
+    assert!(
+        run.summaries
+            .iter()
+            .all(|row| row.status == Status::Unverified)
+    );
+    assert_eq!(run.summaries[3].frames, 2);
+    assert_eq!(
+        run.warnings,
+        ["the last row of samples.csv is torn and was left out"]
+    );
+}

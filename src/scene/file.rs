@@ -1,0 +1,164 @@
+//! Scene files: TOML that names a mesh, a light and a camera path.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use glam::Vec4;
+use serde::Deserialize;
+
+use super::camera::CameraPath;
+use super::mesh::Mesh;
+use super::model_search::ModelSearch;
+use super::obj::{self, Up};
+use super::scene_error::SceneError;
+use super::sphere_grid::SphereGrid;
+use super::wire::{FileWire, Misplaced};
+use super::{Scene, toml_error};
+
+/// A scene as its file describes it: checked, but without its triangles.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SceneFile {
+    /// What results call it: the name of the file without the extension.
+    pub name: String,
+    /// What people call it.
+    pub title: String,
+    /// Where the triangles come from.
+    pub mesh: MeshSource,
+    /// What the mesh has to have, if the file says so.
+    pub expect: Option<Expect>,
+    /// The light: a position with w = 1, or with w = 0 the direction towards it.
+    pub light: Vec4,
+    /// Where the pictures are taken from.
+    pub camera: CameraPath,
+}
+
+/// Where the triangles of a scene come from.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum MeshSource {
+    /// They are computed.
+    SphereGrid(SphereGrid),
+    /// They are read from an OBJ file.
+    Obj {
+        /// The file, looked up by a [`ModelSearch`].
+        file: PathBuf,
+        /// Which axis points up in it.
+        up: Up,
+        /// Where to get it.
+        origin: Option<String>,
+    },
+}
+
+/// Counts that tell whether the mesh is the right one; receivers are not counted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Expect {
+    /// Triangles that cast a shadow.
+    pub triangles: u64,
+    /// Objects that cast a shadow.
+    pub objects: u64,
+}
+
+impl SceneFile {
+    /// Reads and checks a scene file.
+    pub fn read(path: &Path) -> Result<Self, SceneError> {
+        let text = fs::read_to_string(path).map_err(|source| SceneError::Read {
+            path: path.to_owned(),
+            source,
+        })?;
+        Self::parse(&text, &path.to_string_lossy())
+    }
+
+    /// Checks the text of a scene file. Errors name the file so; the scene is named after its stem.
+    pub fn parse(text: &str, name_for_errors: &str) -> Result<Self, SceneError> {
+        let wire: FileWire = toml::from_str(text).map_err(|error| {
+            SceneError::Invalid(toml_error::describe(&error, text, name_for_errors))
+        })?;
+        let stem = Path::new(name_for_errors).file_stem().unwrap_or_default();
+        wire.check(stem.to_string_lossy().into_owned())
+            .map_err(|Misplaced { span, message }| {
+                SceneError::Invalid(toml_error::at(&span, &message, text, name_for_errors))
+            })
+    }
+
+    /// The same scene with another sphere grid: each number that is given replaces the file's.
+    pub fn with_sphere_grid(
+        mut self,
+        rows: Option<u32>,
+        columns: Option<u32>,
+        slices: Option<u32>,
+    ) -> Result<Self, SceneError> {
+        let MeshSource::SphereGrid(grid) = &mut self.mesh else {
+            return Err(SceneError::NotASphereGrid { scene: self.name });
+        };
+        *grid = SphereGrid {
+            rows: rows.unwrap_or(grid.rows),
+            columns: columns.unwrap_or(grid.columns),
+            slices: slices.unwrap_or(grid.slices),
+        };
+        let scene = &self.name;
+        grid.validate().map_err(|source| SceneError::SphereGrid {
+            scene: scene.clone(),
+            source,
+        })?;
+        let SphereGrid {
+            rows,
+            columns,
+            slices,
+        } = *grid;
+        self.title = format!("Sphere grid {rows} × {columns}, {slices} slices");
+        self.expect = Some(Expect {
+            triangles: grid.triangle_count(),
+            objects: grid.sphere_count(),
+        });
+        Ok(self)
+    }
+
+    /// Loads the mesh and compares it with what the file expects.
+    pub fn load(&self, search: &ModelSearch) -> Result<Scene, SceneError> {
+        let mesh = self.load_mesh(search)?;
+        let triangles = mesh.caster_triangle_count() as u64;
+        let objects = mesh.caster_object_count() as u64;
+        if let Some(expect) = self.expect.filter(|e| *e != Expect { triangles, objects }) {
+            return Err(SceneError::Unexpected {
+                scene: self.name.clone(),
+                expected_triangles: expect.triangles,
+                expected_objects: expect.objects,
+                triangles,
+                objects,
+            });
+        }
+        let (name, title) = (self.name.clone(), self.title.clone());
+        Ok(Scene::new(
+            name,
+            title,
+            mesh,
+            self.light,
+            self.camera.clone(),
+        ))
+    }
+
+    fn load_mesh(&self, search: &ModelSearch) -> Result<Mesh, SceneError> {
+        let scene = || self.name.clone();
+        match &self.mesh {
+            MeshSource::SphereGrid(grid) => grid.mesh().map_err(|source| SceneError::SphereGrid {
+                scene: scene(),
+                source,
+            }),
+            MeshSource::Obj { file, up, origin } => {
+                let path = search.find(file).ok_or_else(|| SceneError::MissingModel {
+                    file: file.clone(),
+                    searched: search.candidates(file),
+                    origin: origin.clone(),
+                })?;
+                obj::load(&path, *up).map_err(|source| SceneError::Model {
+                    scene: scene(),
+                    source,
+                })
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+#[path = "file_tests.rs"]
+mod tests;

@@ -1,0 +1,191 @@
+//! Triangles in objects: plain data, the same for every loader and every method.
+
+use std::ops::Range;
+
+use glam::Vec3;
+
+/// As many triangles as a mesh may have: three half-edges each, counted in 32 bits.
+pub const MAX_TRIANGLES: usize = (u32::MAX / 3) as usize;
+
+/// All triangles of a scene, grouped in objects.
+///
+/// Each object owns one range of vertices and one of triangles; no vertex is shared between
+/// objects. Positions are [`canonical`] and finite.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Mesh {
+    /// Vertex positions, y up, right-handed.
+    pub positions: Vec<Vec3>,
+    /// Indices into `positions`, counter-clockwise seen from outside where there is an outside.
+    pub triangles: Vec<[u32; 3]>,
+    /// The objects, in the order in which they are drawn.
+    pub objects: Vec<Object>,
+}
+
+/// A part of a mesh that is drawn with one call.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Object {
+    /// Its name in the model file; not necessarily unique.
+    pub name: String,
+    /// Its vertices: indices into [`Mesh::positions`].
+    pub vertices: Range<u32>,
+    /// Its triangles: indices into [`Mesh::triangles`].
+    pub triangles: Range<u32>,
+    /// False for what only receives shadows: it has no edges and no shadow volume.
+    pub casts_shadow: bool,
+}
+
+impl Object {
+    /// Its triangles, as a range that indexes [`Mesh::triangles`].
+    pub fn triangle_range(&self) -> Range<usize> {
+        self.triangles.start as usize..self.triangles.end as usize
+    }
+
+    /// Its vertices, as a range that indexes [`Mesh::positions`].
+    pub fn vertex_range(&self) -> Range<usize> {
+        self.vertices.start as usize..self.vertices.end as usize
+    }
+}
+
+impl Mesh {
+    /// The objects that cast a shadow.
+    pub fn casters(&self) -> impl Iterator<Item = &Object> {
+        self.objects.iter().filter(|object| object.casts_shadow)
+    }
+
+    /// How many triangles cast a shadow.
+    pub fn caster_triangle_count(&self) -> usize {
+        self.casters().map(|object| object.triangles.len()).sum()
+    }
+
+    /// How many objects cast a shadow.
+    pub fn caster_object_count(&self) -> usize {
+        self.casters().count()
+    }
+
+    /// The smallest and the largest corner of the box around all vertices, receivers included;
+    /// twice the origin if there are none.
+    pub fn bounds(&self) -> (Vec3, Vec3) {
+        let Some(&first) = self.positions.first() else {
+            return (Vec3::ZERO, Vec3::ZERO);
+        };
+        self.positions
+            .iter()
+            .fold((first, first), |(low, high), &p| (low.min(p), high.max(p)))
+    }
+
+    /// Hexadecimal BLAKE3 of all that decides what is drawn and what casts: positions, triangles,
+    /// and the ranges and casting of the objects; not of their names.
+    pub fn hash(&self) -> String {
+        let mut hasher = blake3::Hasher::new();
+        let lengths = [
+            self.positions.len(),
+            self.triangles.len(),
+            self.objects.len(),
+        ];
+        for length in lengths {
+            hasher.update(&(length as u64).to_le_bytes());
+        }
+        // The bytes as they are in memory: every target that wgpu runs on is little-endian.
+        hasher.update(bytemuck::cast_slice(&self.positions));
+        hasher.update(bytemuck::cast_slice(&self.triangles));
+        for Object {
+            vertices,
+            triangles,
+            casts_shadow,
+            ..
+        } in &self.objects
+        {
+            let ranges = [vertices.start, vertices.end, triangles.start, triangles.end];
+            hasher.update(bytemuck::cast_slice(&ranges));
+            hasher.update(&[u8::from(*casts_shadow)]);
+        }
+        hasher.finalize().to_hex().to_string()
+    }
+
+    /// The three corners of a triangle.
+    pub fn corners(&self, triangle: usize) -> [Vec3; 3] {
+        self.triangles[triangle].map(|vertex| self.positions[vertex as usize])
+    }
+}
+
+/// The position with -0 and denormal numbers replaced by +0.
+///
+/// Then equal positions have equal bits, and a GPU that flushes denormals reads what the CPU reads.
+pub fn canonical(position: Vec3) -> Vec3 {
+    Vec3::from_array(position.to_array().map(canonical_number))
+}
+
+/// One number of a [`canonical`] position.
+pub(super) fn canonical_number(x: f32) -> f32 {
+    if x == 0.0 || x.is_subnormal() { 0.0 } else { x }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn object(triangles: Range<u32>, casts_shadow: bool) -> Object {
+        Object {
+            name: String::new(),
+            vertices: 0..3,
+            triangles,
+            casts_shadow,
+        }
+    }
+
+    #[test]
+    fn counts_leave_receivers_out_and_bounds_do_not() {
+        let mesh = Mesh {
+            positions: vec![
+                Vec3::new(-1.0, 2.0, 0.0),
+                Vec3::X,
+                Vec3::new(0.0, -3.0, 5.0),
+            ],
+            triangles: vec![[0, 1, 2]; 5],
+            objects: vec![object(0..3, true), object(3..5, false)],
+        };
+        assert_eq!(
+            (mesh.caster_triangle_count(), mesh.caster_object_count()),
+            (3, 1)
+        );
+        assert_eq!(
+            mesh.bounds(),
+            (Vec3::new(-1.0, -3.0, 0.0), Vec3::new(1.0, 2.0, 5.0))
+        );
+        assert_eq!(mesh.corners(4)[1], Vec3::X);
+        assert_eq!(Mesh::default().bounds(), (Vec3::ZERO, Vec3::ZERO));
+    }
+
+    #[test]
+    fn the_hash_sees_everything_but_names() {
+        let mesh = Mesh {
+            positions: vec![Vec3::ZERO, Vec3::X, Vec3::Y],
+            triangles: vec![[0, 1, 2]; 2],
+            objects: vec![object(0..1, true), object(1..2, true)],
+        };
+        let mut renamed = mesh.clone();
+        renamed.objects[0].name.push('x');
+        assert_eq!(mesh.hash(), renamed.hash());
+        assert_eq!(mesh.hash().len(), 64);
+
+        let mut others = [mesh.clone(), mesh.clone(), mesh.clone(), mesh.clone()];
+        others[0].positions[1].z = 1e-30;
+        others[1].triangles[1] = [0, 2, 1];
+        others[2].objects[1].casts_shadow = false;
+        others[3].objects[0].triangles = 0..2;
+        assert!(others.iter().all(|other| other.hash() != mesh.hash()));
+    }
+
+    #[test]
+    fn canonical_positions_have_one_zero_and_no_denormals() {
+        let p = canonical(Vec3::new(-0.0, -1e-40, 1.5));
+        assert_eq!(
+            p.to_array().map(f32::to_bits),
+            [0.0f32, 0.0, 1.5].map(f32::to_bits)
+        );
+        assert_eq!(
+            canonical(Vec3::splat(-f32::MIN_POSITIVE)),
+            Vec3::splat(-f32::MIN_POSITIVE)
+        );
+    }
+}

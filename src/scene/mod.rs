@@ -1,0 +1,80 @@
+//! What is drawn: a mesh, a light and a camera path, from a scene file or a model file.
+
+pub mod camera;
+pub mod file;
+pub mod mesh;
+pub mod model_search;
+pub mod obj;
+mod obj_diagnosis;
+pub mod scene_error;
+pub mod sphere_grid;
+pub mod toml_error;
+mod weld;
+mod wire;
+
+use std::path::Path;
+
+use glam::{Vec3, Vec4};
+
+pub use camera::{CameraKey, CameraPath, View};
+pub use file::SceneFile;
+pub use mesh::{Mesh, Object};
+pub use model_search::ModelSearch;
+pub use obj::{ObjError, Up};
+pub use scene_error::SceneError;
+pub use sphere_grid::{SphereGrid, SphereGridError};
+
+/// All that a frame needs to know about the world: plain data.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scene {
+    /// What results call it: the name of its file without the extension.
+    pub name: String,
+    /// What people call it.
+    pub title: String,
+    /// Its triangles.
+    pub mesh: Mesh,
+    /// The light, canonical: a position with w = 1, or with w = 0 the direction *towards* it.
+    pub light: Vec4,
+    /// Where the pictures are taken from.
+    pub camera: CameraPath,
+    /// Hexadecimal BLAKE3 of the mesh: equal hashes mean equal work.
+    pub mesh_hash: String,
+}
+
+impl Scene {
+    /// Puts a scene together and hashes its mesh.
+    pub fn new(name: String, title: String, mesh: Mesh, light: Vec4, camera: CameraPath) -> Self {
+        let mesh_hash = mesh.hash();
+        let light = mesh::canonical(light.truncate()).extend(light.w);
+        Self {
+            name,
+            title,
+            mesh,
+            light,
+            camera,
+            mesh_hash,
+        }
+    }
+
+    /// A bare model, seen whole and at an angle, lit from above.
+    pub fn from_obj(path: &Path, up: Up) -> Result<Self, ObjError> {
+        let mesh = obj::load(path, up)?;
+        let (low, high) = mesh.bounds();
+        let camera = CameraPath::framing(low, high);
+        // Well outside, and off every axis, so that no axis-aligned wall lies in a light plane.
+        let size = (high - low).length();
+        let light = (low + high) / 2.0 + size * Vec3::new(0.31, 1.5, 0.23);
+        let name = path
+            .file_stem()
+            .unwrap_or_default()
+            .to_string_lossy()
+            .into_owned();
+        Ok(Self::new(
+            name.clone(),
+            name,
+            mesh,
+            light.extend(1.0),
+            camera,
+        ))
+    }
+}

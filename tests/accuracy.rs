@@ -1,0 +1,110 @@
+//! Every robust method against the ray-traced truth, at the paper's picture size.
+
+mod common;
+
+use common::device;
+use glam::{Vec3, Vec4};
+use rand::{Rng, RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+use std::path::Path;
+use svbench::bench::Verifier;
+use svbench::config::find_scene;
+use svbench::frame::Stage;
+use svbench::gpu::Gpu;
+use svbench::methods::{PrepareContext, PreparedMethod, parameters::parse_method};
+use svbench::metrics::MaskError;
+use svbench::reference::ReferenceCache;
+use svbench::scene::{Scene, View};
+
+const WIDTH: u32 = 1024;
+const HEIGHT: u32 = 768;
+/// 0.005 % of the picture.
+const MOST_WRONG_PX: u64 = WIDTH as u64 * HEIGHT as u64 / 20_000;
+const SILHOUETTES: [&str; 2] = ["silhouette_ts", "silhouette_gs"];
+
+/// Draws `scene` at each view and light with each method and returns the errors, a row a view.
+fn errors(gpu: &Gpu, scene: &mut Scene, shots: &[(View, Vec4)]) -> Vec<Vec<MaskError>> {
+    let cache = ReferenceCache::open(None);
+    let stage = Stage::new(gpu, scene, WIDTH, HEIGHT);
+    let methods: Vec<Box<dyn PreparedMethod>> = {
+        let context = PrepareContext::new(gpu, scene, &stage);
+        let prepare = |id| parse_method(id).unwrap().prepare(&context).unwrap();
+        SILHOUETTES.map(prepare).into()
+    };
+    let mut verifier = Verifier::new(gpu, scene, &stage, &cache).unwrap();
+    shots
+        .iter()
+        .map(|(view, light)| {
+            verifier.light = *light;
+            let truth = verifier.truth(view).unwrap();
+            methods
+                .iter()
+                .map(|method| {
+                    let mask = verifier.draw_mask(method.as_ref()).unwrap();
+                    verifier.judge(&mask, &truth).unwrap().error
+                })
+                .collect()
+        })
+        .collect()
+}
+
+/// A point in a box.
+fn point(random: &mut impl Rng, low: Vec3, high: Vec3) -> Vec3 {
+    let mut coordinate = |low: f32, high: f32| random.random_range(low..high);
+    Vec3::new(coordinate(low.x, high.x), coordinate(low.y, high.y), coordinate(low.z, high.z))
+}
+
+/// A point in a box, outside of all spheres of the 10 × 10 grid.
+fn outside_spheres(random: &mut impl Rng, low: Vec3, high: Vec3) -> Vec3 {
+    loop {
+        let p = point(random, low, high);
+        let nearest = |x: f32| ((x + 11.25) / 2.5).round().clamp(0.0, 9.0) * 2.5 - 11.25;
+        let centre = Vec3::new(nearest(p.x), 1.25, nearest(p.z));
+        if p.distance(centre) > 1.05 {
+            return p;
+        }
+    }
+}
+
+fn sphere_grid_has_no_artifacts(slices: u32) {
+    let plan = find_scene("sphere_grid", Path::new("")).unwrap();
+    let file = plan.file.with_sphere_grid(None, None, Some(slices)).unwrap();
+    let mut scene = file.load(&plan.search).unwrap();
+    let path = scene.camera.view_at(0.0);
+    let mut random = ChaCha8Rng::seed_from_u64(2014);
+    let shots: Vec<_> = (0..20)
+        .map(|_| {
+            let eye = outside_spheres(&mut random, Vec3::new(-25.0, 0.3, -25.0), Vec3::new(25.0, 15.0, 25.0));
+            let target = point(&mut random, Vec3::new(-10.0, 0.0, -10.0), Vec3::new(10.0, 2.0, 10.0));
+            let light = outside_spheres(&mut random, Vec3::new(-15.0, 0.1, -15.0), Vec3::new(15.0, 30.0, 15.0));
+            (View { eye, target, ..path }, light.extend(1.0))
+        })
+        .collect();
+    let device = device();
+    let errors = errors(&device, &mut scene, &shots);
+    let mut faults = Vec::new();
+    for ((view, light), row) in shots.iter().zip(&errors) {
+        for (method, error) in SILHOUETTES.iter().zip(row) {
+            let place = format!(
+                "{method}, n = {slices}, eye {}, target {}, light {light}: {error:?}",
+                view.eye, view.target
+            );
+            println!("{place}");
+            let few = |count: u64| count < MOST_WRONG_PX;
+            if error.artifact_px > 0 || !few(error.wrong_px()) || !few(error.ambiguous_px) {
+                faults.push(place);
+            }
+        }
+    }
+    assert!(faults.is_empty(), "{faults:#?}");
+}
+
+#[test]
+fn silhouettes_on_coarse_spheres_have_no_artifacts() {
+    sphere_grid_has_no_artifacts(18);
+}
+
+#[test]
+fn silhouettes_on_fine_spheres_have_no_artifacts() {
+    sphere_grid_has_no_artifacts(60);
+}
