@@ -8,8 +8,8 @@ pub mod config;
 pub mod bench;
 pub mod report;
 
-pub mod methods;
 pub mod frame;
+pub mod methods;
 pub mod metrics;
 pub mod reference;
 
@@ -18,3 +18,4 @@ pub mod scene;
 
 pub mod gpu;
 pub mod image;
+pub mod toml_error;

@@ -63,17 +63,38 @@ pub(super) fn measure(
     mut keep: impl FnMut(Measured) -> anyhow::Result<()>,
 ) -> anyhow::Result<()> {
     let times_s = scene.camera.frame_times(schedule.frames as usize);
-    let warmup = std::iter::repeat_n((0, times_s.first().copied().unwrap_or(0.0)), schedule.warmup_frames as usize);
+    let warmup = std::iter::repeat_n(
+        (0, times_s.first().copied().unwrap_or(0.0)),
+        schedule.warmup_frames as usize,
+    );
     let flight = (0..).zip(times_s.iter().copied());
-    let rounds = warmup.map(|round| (round, true)).chain(flight.map(|round| (round, false)));
+    let rounds = warmup
+        .map(|round| (round, true))
+        .chain(flight.map(|round| (round, false)));
 
     let mut shuffle = ChaCha8Rng::seed_from_u64(schedule.seed);
     let mut order: Vec<usize> = (0..methods.len()).collect();
     let mut timer = FrameTimer::new(gpu);
     let mut drawn = 0;
     let mut keep_measured = |(tag, times): (Tag, StageTimes)| {
-        let Tag { method, frame, time_s, order, warmup } = tag;
-        if warmup { Ok(()) } else { keep(Measured { method, frame, time_s, order, times }) }
+        let Tag {
+            method,
+            frame,
+            time_s,
+            order,
+            warmup,
+        } = tag;
+        if warmup {
+            Ok(())
+        } else {
+            keep(Measured {
+                method,
+                frame,
+                time_s,
+                order,
+                times,
+            })
+        }
     };
     for ((frame, time_s), warmup) in rounds {
         stage.set_view(gpu, &scene.camera.view_at(time_s), scene.light);
@@ -82,10 +103,15 @@ pub(super) fn measure(
             if observer.interrupted() {
                 break;
             }
-            let tag = Tag { method, frame, time_s, order: drawn, warmup };
+            let tag = Tag {
+                method,
+                frame,
+                time_s,
+                order: drawn,
+                warmup,
+            };
             drawn += 1;
-            let done =
-                timer.frame(gpu, tag, |recorder| stage.record(recorder, methods[method]))?;
+            let done = timer.frame(gpu, tag, |recorder| stage.record(recorder, methods[method]))?;
             done.map_or(Ok(()), &mut keep_measured)?;
             observer.advance(1);
         }

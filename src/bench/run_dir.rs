@@ -21,7 +21,10 @@ impl RunDir {
     /// Creates the directory; it must not hold anything yet.
     pub(super) fn create(path: &Path) -> anyhow::Result<Self> {
         if path.is_dir() && path.read_dir()?.next().is_some() {
-            bail!("{} is not empty: choose another directory with --out", path.display());
+            bail!(
+                "{} is not empty: choose another directory with --out",
+                path.display()
+            );
         }
         let images = path.join(IMAGES_DIR);
         std::fs::create_dir_all(&images)
@@ -29,12 +32,17 @@ impl RunDir {
         let samples = path.join(SAMPLES_FILE);
         let samples = csv::Writer::from_path(&samples)
             .with_context(|| format!("cannot create {}", samples.display()))?;
-        Ok(Self { path: path.to_owned(), samples })
+        Ok(Self {
+            path: path.to_owned(),
+            samples,
+        })
     }
 
     /// Writes `run.json`, over the one before.
     pub(super) fn write_info(&self, info: &RunInfo) -> anyhow::Result<()> {
-        self.replace(RUN_FILE, |file| Ok(serde_json::to_writer_pretty(file, info)?))
+        self.replace(RUN_FILE, |file| {
+            Ok(serde_json::to_writer_pretty(file, info)?)
+        })
     }
 
     /// Appends a row to `samples.csv` and makes sure that it is there.

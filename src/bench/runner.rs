@@ -38,7 +38,10 @@ pub struct RunOutcome {
 impl RunOutcome {
     /// Cells that failed.
     pub fn failed_cells(&self) -> usize {
-        self.summaries.iter().filter(|summary| summary.status == Status::Failed).count()
+        self.summaries
+            .iter()
+            .filter(|summary| summary.status == Status::Failed)
+            .count()
     }
 }
 
@@ -50,7 +53,9 @@ pub fn run(request: &RunRequest<'_>) -> anyhow::Result<RunOutcome> {
     let mut dir = RunDir::create(request.out)?;
     let mut info = provenance(request);
     dir.write_info(&info)?;
-    request.observer.begin(request.plan.steps_per_scene() * request.plan.scenes.len() as u64);
+    request
+        .observer
+        .begin(request.plan.steps_per_scene() * request.plan.scenes.len() as u64);
     let mut summaries = Vec::new();
     let mut failure = None;
     for plan in &request.plan.scenes {
@@ -59,7 +64,12 @@ pub fn run(request: &RunRequest<'_>) -> anyhow::Result<RunOutcome> {
         }
         match run_scene(request, plan, &mut dir) {
             Ok(outcome) => {
-                let SceneOutcome { record, methods, summaries: rows, warnings } = outcome;
+                let SceneOutcome {
+                    record,
+                    methods,
+                    summaries: rows,
+                    warnings,
+                } = outcome;
                 info.scenes.push(record);
                 info.warnings.extend(warnings);
                 add_methods(&mut info.methods, methods);
@@ -82,14 +92,20 @@ pub fn run(request: &RunRequest<'_>) -> anyhow::Result<RunOutcome> {
     dir.write_info(&info)?;
     match failure {
         Some(error) => Err(error),
-        None => Ok(RunOutcome { status: info.status, summaries }),
+        None => Ok(RunOutcome {
+            status: info.status,
+            summaries,
+        }),
     }
 }
 
 /// A method's stages are known once a scene has drawn it.
 fn add_methods(known: &mut Vec<MethodRecord>, found: Vec<MethodRecord>) {
     for method in found {
-        match known.iter_mut().find(|m| m.id == method.id && m.variant == method.variant) {
+        match known
+            .iter_mut()
+            .find(|m| m.id == method.id && m.variant == method.variant)
+        {
             Some(seen) if seen.stages.is_empty() => seen.stages = method.stages,
             Some(_) => {}
             None => known.push(method),

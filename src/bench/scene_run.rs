@@ -43,7 +43,9 @@ pub(super) fn run_scene(
     plan: &ScenePlan,
     dir: &mut RunDir,
 ) -> anyhow::Result<SceneOutcome> {
-    request.observer.phase(&format!("{}: loading", plan.file.name));
+    request
+        .observer
+        .phase(&format!("{}: loading", plan.file.name));
     match plan.file.load(&plan.search) {
         Ok(scene) => run_loaded(request, &scene, dir),
         Err(error) => {
@@ -100,14 +102,21 @@ fn run_loaded(
     let (width, height) = request.plan.size_px;
     let stage = Stage::new(request.gpu, scene, width, height);
     let context = PrepareContext::new(request.gpu, scene, &stage);
-    let mut cells: Vec<_> =
-        request.plan.methods.iter().map(|m| prepare(request, &context, m.as_ref())).collect();
+    let mut cells: Vec<_> = request
+        .plan
+        .methods
+        .iter()
+        .map(|m| prepare(request, &context, m.as_ref()))
+        .collect();
     let mut warnings = Vec::new();
     for run in &cells {
         if let State::Ready(prepared) = &run.state {
             let name = &run.cell.method;
             warnings.extend(
-                prepared.warnings().iter().map(|text| format!("{}, {name}: {text}", scene.name)),
+                prepared
+                    .warnings()
+                    .iter()
+                    .map(|text| format!("{}, {name}: {text}", scene.name)),
             );
         }
     }
@@ -149,14 +158,18 @@ fn prepare<'a>(
     method: &'a dyn ShadowMethod,
 ) -> CellRun<'a> {
     let (scene, info) = (context.scene, method.info());
-    request.observer.phase(&format!("{}: preparing {}", scene.name, info.id));
+    request
+        .observer
+        .phase(&format!("{}: preparing {}", scene.name, info.id));
     let state = match info.check(request.gpu).map_err(MethodError::Unavailable) {
         Ok(()) => method.prepare(context),
         Err(error) => Err(error),
     };
     let state = match state {
         Ok(prepared) => State::Ready(prepared),
-        Err(error @ MethodError::Unavailable(_)) => State::Not(Status::Unavailable, error.to_string()),
+        Err(error @ MethodError::Unavailable(_)) => {
+            State::Not(Status::Unavailable, error.to_string())
+        }
         Err(error) => State::Not(Status::Failed, error.to_string()),
     };
     if let State::Not(..) = state {
@@ -191,11 +204,19 @@ fn verify(
 ) -> anyhow::Result<()> {
     let verifier = Verifier::new(request.gpu, scene, stage, request.cache)?;
     let size_px = request.plan.size_px;
-    for (i, time_s) in request.plan.verified_times(&scene.camera).into_iter().enumerate() {
+    for (i, time_s) in request
+        .plan
+        .verified_times(&scene.camera)
+        .into_iter()
+        .enumerate()
+    {
         if request.observer.interrupted() {
             break;
         }
-        request.observer.phase(&format!("{}: tracing the truth at {time_s:.1} s", scene.name));
+        request.observer.phase(&format!(
+            "{}: tracing the truth at {time_s:.1} s",
+            scene.name
+        ));
         let truth = verifier.truth(&scene.camera.view_at(time_s))?;
         if i == 0 {
             let grey = truth.mask.to_grey();
@@ -203,8 +224,12 @@ fn verify(
             dir.write_image((&scene.name, "", ""), ImageKind::Reference, &image)?;
         }
         for run in &mut *cells {
-            let State::Ready(prepared) = &run.state else { continue };
-            request.observer.phase(&format!("{}: verifying {}", scene.name, run.cell.method));
+            let State::Ready(prepared) = &run.state else {
+                continue;
+            };
+            request
+                .observer
+                .phase(&format!("{}: verifying {}", scene.name, run.cell.method));
             let mask = verifier.draw_mask(prepared.as_ref())?;
             let judgement = verifier.judge(&mask, &truth)?;
             let (sums, error) = (&mut run.errors, judgement.error);
@@ -235,14 +260,17 @@ fn measure_cells(
     cells: &mut [CellRun<'_>],
     dir: &mut RunDir,
 ) -> anyhow::Result<()> {
-    request.observer.phase(&format!("{}: measuring", scene.name));
+    request
+        .observer
+        .phase(&format!("{}: measuring", scene.name));
     let schedule = Schedule {
         frames: request.plan.frames,
         warmup_frames: request.plan.warmup_frames,
         seed: request.plan.seed,
     };
-    let ready: Vec<usize> =
-        (0..cells.len()).filter(|&i| matches!(cells[i].state, State::Ready(_))).collect();
+    let ready: Vec<usize> = (0..cells.len())
+        .filter(|&i| matches!(cells[i].state, State::Ready(_)))
+        .collect();
     let mut kept: Vec<Vec<Measured>> = cells.iter().map(|_| Vec::new()).collect();
     {
         let methods: Vec<&dyn PreparedMethod> = ready
@@ -252,17 +280,33 @@ fn measure_cells(
                 State::Not(..) => None,
             })
             .collect();
-        measure(request.gpu, scene, stage, &methods, schedule, request.observer, |measured| {
-            let cell = ready[measured.method];
-            dir.append(&sample(&cells[cell].cell, &measured))?;
-            kept[cell].push(measured);
-            Ok(())
-        })?;
+        measure(
+            request.gpu,
+            scene,
+            stage,
+            &methods,
+            schedule,
+            request.observer,
+            |measured| {
+                let cell = ready[measured.method];
+                dir.append(&sample(&cells[cell].cell, &measured))?;
+                kept[cell].push(measured);
+                Ok(())
+            },
+        )?;
     }
     for (run, measured) in cells.iter_mut().zip(kept) {
-        run.samples = measured.iter().map(|measured| sample(&run.cell, measured)).collect();
+        run.samples = measured
+            .iter()
+            .map(|measured| sample(&run.cell, measured))
+            .collect();
         if let Some(first) = measured.first() {
-            run.stages = first.times.stages.iter().map(|(name, _)| (*name).to_owned()).collect();
+            run.stages = first
+                .times
+                .stages
+                .iter()
+                .map(|(name, _)| (*name).to_owned())
+                .collect();
         }
     }
     Ok(())
@@ -270,7 +314,11 @@ fn measure_cells(
 
 fn sample(cell: &Cell, measured: &Measured) -> Sample {
     let times = &measured.times;
-    let own = times.stages.iter().copied().filter(|(name, _)| ![GBUFFER_STAGE, SHADE_STAGE].contains(name));
+    let own = times
+        .stages
+        .iter()
+        .copied()
+        .filter(|(name, _)| ![GBUFFER_STAGE, SHADE_STAGE].contains(name));
     Sample {
         scene: cell.scene.clone(),
         triangles: cell.triangles.unwrap_or(0),

@@ -53,10 +53,18 @@ impl<'a> Verifier<'a> {
         for object in mesh.casters() {
             casts[object.triangle_range()].fill(true);
         }
-        let reference =
-            Reference::new(&mesh.positions, &mesh.triangles, |triangle| casts[triangle as usize])
-                .with_context(|| format!("scene `{}` cannot be traced", scene.name))?;
-        Ok(Self { gpu, scene, stage, reference, cache, light: scene.light })
+        let reference = Reference::new(&mesh.positions, &mesh.triangles, |triangle| {
+            casts[triangle as usize]
+        })
+        .with_context(|| format!("scene `{}` cannot be traced", scene.name))?;
+        Ok(Self {
+            gpu,
+            scene,
+            stage,
+            reference,
+            cache,
+            light: scene.light,
+        })
     }
 
     /// The truth at `view`, from the cache or traced; it stays the view of the frames drawn next.
@@ -77,8 +85,9 @@ impl<'a> Verifier<'a> {
         };
         let light = self.light;
         let key = CacheKey::new(&self.scene.mesh_hash, light, &view, &ids);
-        let mask =
-            self.cache.get_or_trace(&key, &view, || self.reference.trace(light, &view, &ids))?;
+        let mask = self
+            .cache
+            .get_or_trace(&key, &view, || self.reference.trace(light, &view, &ids))?;
         Ok(Truth { view, mask })
     }
 
@@ -108,8 +117,10 @@ impl<'a> Verifier<'a> {
     pub fn judge(&self, mask: &[u8], truth: &Truth) -> anyhow::Result<Judgement> {
         let light = self.light;
         let probe = BoundaryProbe::new(&self.reference, light, &truth.view, &truth.mask)?;
-        let comparison =
-            MaskComparison::new(mask, &truth.mask, |x, y| probe.near_boundary(x, y))?;
-        Ok(Judgement { error: comparison.error(), error_map: comparison.error_map() })
+        let comparison = MaskComparison::new(mask, &truth.mask, |x, y| probe.near_boundary(x, y))?;
+        Ok(Judgement {
+            error: comparison.error(),
+            error_map: comparison.error_map(),
+        })
     }
 }

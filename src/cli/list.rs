@@ -62,7 +62,9 @@ struct Listing {
 pub(super) fn execute(args: &ListArgs) -> anyhow::Result<()> {
     let asked = |what| args.what.is_none_or(|asked| asked == what);
     let listing = Listing {
-        methods: asked(What::Methods).then(|| methods(args.adapter.clone())).transpose()?,
+        methods: asked(What::Methods)
+            .then(|| methods(args.adapter.clone()))
+            .transpose()?,
         scenes: asked(What::Scenes).then(scenes).transpose()?,
         devices: asked(What::Devices).then(list_devices),
     };
@@ -76,17 +78,30 @@ pub(super) fn execute(args: &ListArgs) -> anyhow::Result<()> {
 
 fn methods(adapter: Option<String>) -> anyhow::Result<Vec<MethodRow>> {
     let named = adapter.is_some();
-    let gpu = match Gpu::open(&GpuOptions { adapter, validation: false }) {
+    let gpu = match Gpu::open(&GpuOptions {
+        adapter,
+        validation: false,
+    }) {
         Ok(gpu) => Ok(gpu),
         // Without any device there is still something to list; a name that fits none is a mistake.
         Err(error) if !named => Err(error.to_string()),
         Err(error) => return Err(error.into()),
     };
     let row = |info: &'static MethodInfo| {
-        let checked = gpu.as_ref().map_err(Clone::clone).and_then(|gpu| info.check(gpu));
-        MethodRow { info, available: checked.is_ok(), reason: checked.err().unwrap_or_default() }
+        let checked = gpu
+            .as_ref()
+            .map_err(Clone::clone)
+            .and_then(|gpu| info.check(gpu));
+        MethodRow {
+            info,
+            available: checked.is_ok(),
+            reason: checked.err().unwrap_or_default(),
+        }
     };
-    Ok(REGISTRY.iter().map(|registration| row(registration.info)).collect())
+    Ok(REGISTRY
+        .iter()
+        .map(|registration| row(registration.info))
+        .collect())
 }
 
 fn scenes() -> anyhow::Result<Vec<SceneRow>> {
@@ -94,7 +109,10 @@ fn scenes() -> anyhow::Result<Vec<SceneRow>> {
         let plan = find_scene(name, Path::new(""))?;
         let (mesh, missing) = match &plan.file.mesh {
             MeshSource::SphereGrid(grid) => {
-                let text = format!("{} × {} spheres, {} slices", grid.rows, grid.columns, grid.slices);
+                let text = format!(
+                    "{} × {} spheres, {} slices",
+                    grid.rows, grid.columns, grid.slices
+                );
                 (text, None)
             }
             MeshSource::Obj { file, .. } => {
@@ -124,14 +142,26 @@ fn text(listing: &Listing) -> String {
         text.push('\n');
     };
     let availability = |available: bool, reason: &str| {
-        if available { "available".to_owned() } else { format!("not available: {reason}") }
+        if available {
+            "available".to_owned()
+        } else {
+            format!("not available: {reason}")
+        }
     };
     for method in listing.methods.iter().flatten() {
-        let MethodRow { info, available, reason } = method;
+        let MethodRow {
+            info,
+            available,
+            reason,
+        } = method;
         line(0, &format!("{}  {}", info.id, info.title));
         line(4, &format!("from: {}", info.source));
         let needs: Vec<_> = info.needs.iter().map(|need| need.label()).collect();
-        let needs = if needs.is_empty() { "nothing special".to_owned() } else { needs.join("; ") };
+        let needs = if needs.is_empty() {
+            "nothing special".to_owned()
+        } else {
+            needs.join("; ")
+        };
         line(4, &format!("needs: {needs}"));
         for limit in info.limits {
             line(4, &format!("limit: {limit}"));
@@ -145,17 +175,34 @@ fn text(listing: &Listing) -> String {
         line(0, &format!("{}  {}", scene.name, scene.title));
         let count = |count: Option<u64>| count.map_or("?".to_owned(), |count| count.to_string());
         let (triangles, objects) = (count(scene.triangles), count(scene.objects));
-        line(4, &format!("{}: {triangles} triangles, {objects} objects", scene.mesh));
+        line(
+            4,
+            &format!("{}: {triangles} triangles, {objects} objects", scene.mesh),
+        );
         line(4, &availability(scene.available, &scene.reason));
     }
     for device in listing.devices.iter().flatten() {
-        line(0, &format!("{}  {}, {}", device.name, device.device_type, device.backend));
-        line(4, &format!("driver: {} {}", device.driver, device.driver_info));
+        line(
+            0,
+            &format!(
+                "{}  {}, {}",
+                device.name, device.device_type, device.backend
+            ),
+        );
+        line(
+            4,
+            &format!("driver: {} {}", device.driver, device.driver_info),
+        );
         let has = |has: bool| if has { "yes" } else { "no" };
         let (tessellation, geometry) = (has(device.tessellation), has(device.geometry));
-        line(4, &format!("tessellation shaders: {tessellation}, geometry shaders: {geometry}"));
+        line(
+            4,
+            &format!("tessellation shaders: {tessellation}, geometry shaders: {geometry}"),
+        );
         let unsuitable = device.unsuitable.as_deref();
-        let reason = unsuitable.map(|missing| format!("lacks {missing}")).unwrap_or_default();
+        let reason = unsuitable
+            .map(|missing| format!("lacks {missing}"))
+            .unwrap_or_default();
         line(4, &availability(unsuitable.is_none(), &reason));
     }
     text

@@ -53,8 +53,10 @@ struct DeviceArgs {
 
 impl DeviceArgs {
     fn open(&self) -> anyhow::Result<Gpu> {
-        let options =
-            GpuOptions { adapter: self.adapter.clone(), validation: self.validation };
+        let options = GpuOptions {
+            adapter: self.adapter.clone(),
+            validation: self.validation,
+        };
         Ok(Gpu::open(&options)?)
     }
 
@@ -62,7 +64,10 @@ impl DeviceArgs {
     fn check_validation(&self) -> anyhow::Result<()> {
         let messages = messages::take_validation_messages();
         if self.validation && !messages.is_empty() {
-            anyhow::bail!("the validation layers gave {} messages, see above", messages.len());
+            anyhow::bail!(
+                "the validation layers gave {} messages, see above",
+                messages.len()
+            );
         }
         Ok(())
     }
@@ -108,9 +113,18 @@ fn error_map_legend() -> Vec<LegendEntry> {
     let entry = |label, rgb| LegendEntry { label, rgb };
     vec![
         entry("false lit, artifact", metrics::FALSE_LIT_ARTIFACT_RGB),
-        entry("false lit, at the boundary", metrics::FALSE_LIT_BOUNDARY_RGB),
-        entry("false shadowed, artifact", metrics::FALSE_SHADOWED_ARTIFACT_RGB),
-        entry("false shadowed, at the boundary", metrics::FALSE_SHADOWED_BOUNDARY_RGB),
+        entry(
+            "false lit, at the boundary",
+            metrics::FALSE_LIT_BOUNDARY_RGB,
+        ),
+        entry(
+            "false shadowed, artifact",
+            metrics::FALSE_SHADOWED_ARTIFACT_RGB,
+        ),
+        entry(
+            "false shadowed, at the boundary",
+            metrics::FALSE_SHADOWED_BOUNDARY_RGB,
+        ),
         entry("ambiguous", metrics::AMBIGUOUS_RGB),
     ]
 }

@@ -1,5 +1,8 @@
 //! Progress of a run: a bar with the remaining time on a terminal, plain lines otherwise.
-#![allow(clippy::print_stderr, reason = "progress goes to standard error, results to files")]
+#![allow(
+    clippy::print_stderr,
+    reason = "progress goes to standard error, results to files"
+)]
 
 use crate::bench::Observer;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
@@ -35,7 +38,12 @@ impl Progress {
         }
         let style = "{bar:30} {pos}/{len} frames, {eta} left  {msg}";
         bar.set_style(ProgressStyle::with_template(style)?);
-        Ok(Self { bar, plain, started: Instant::now(), interrupted })
+        Ok(Self {
+            bar,
+            plain,
+            started: Instant::now(),
+            interrupted,
+        })
     }
 
     /// Clears the bar.
@@ -54,7 +62,10 @@ impl Observer for Progress {
         self.bar.set_message(text.to_owned());
         if self.plain {
             let (done, all) = (self.bar.position(), self.bar.length().unwrap_or(0));
-            eprintln!("[{:6.1} s] {done}/{all} {text}", self.started.elapsed().as_secs_f64());
+            eprintln!(
+                "[{:6.1} s] {done}/{all} {text}",
+                self.started.elapsed().as_secs_f64()
+            );
         }
     }
 

@@ -98,7 +98,9 @@ pub(super) fn execute(args: &RenderArgs) -> anyhow::Result<()> {
     info.check(&gpu).map_err(MethodError::Unavailable)?;
     let stage = Stage::new(&gpu, &scene, width, height);
     let context = PrepareContext::new(&gpu, &scene, &stage);
-    let prepared = method.prepare(&context).with_context(|| format!("method `{}`", info.id))?;
+    let prepared = method
+        .prepare(&context)
+        .with_context(|| format!("method `{}`", info.id))?;
 
     let cache = reference_cache();
     let verifier = Verifier::new(&gpu, &scene, &stage, &cache)?;
@@ -111,7 +113,10 @@ pub(super) fn execute(args: &RenderArgs) -> anyhow::Result<()> {
     };
     write(&args.out, Image::rgba(args.size, &picture))?;
     write(&args.mask, Image::grey(args.size, &mask))?;
-    write(&args.reference, Image::grey(args.size, &truth.mask.to_grey()))?;
+    write(
+        &args.reference,
+        Image::grey(args.size, &truth.mask.to_grey()),
+    )?;
     write(&args.error, Image::rgb(args.size, &judgement.error_map))?;
 
     // The frame above was this method's first; the times are those of a second one.
@@ -143,7 +148,10 @@ pub(super) fn execute(args: &RenderArgs) -> anyhow::Result<()> {
 
 fn load_scene(args: &RenderArgs) -> anyhow::Result<Scene> {
     let path = Path::new(&args.scene);
-    let mut scene = if path.extension().is_some_and(|e| e.eq_ignore_ascii_case("obj")) {
+    let mut scene = if path
+        .extension()
+        .is_some_and(|e| e.eq_ignore_ascii_case("obj"))
+    {
         Scene::from_obj(path, Up::Y)?
     } else {
         let plan = find_scene(&args.scene, Path::new(""))?;
@@ -170,20 +178,30 @@ fn view(args: &RenderArgs, scene: &Scene) -> anyhow::Result<View> {
         fov_y_rad: args.fov.map_or(path.fov_y_rad, f32::to_radians),
         near: args.near.unwrap_or(path.near),
     };
-    view.validate().map_err(|error| ConfigError(format!("camera: {error}")))?;
+    view.validate()
+        .map_err(|error| ConfigError(format!("camera: {error}")))?;
     Ok(view)
 }
 
 fn stages(times: &StageTimes) -> serde_json::Map<String, serde_json::Value> {
-    times.stages.iter().map(|(name, ms)| ((*name).to_owned(), (*ms).into())).collect()
+    times
+        .stages
+        .iter()
+        .map(|(name, ms)| ((*name).to_owned(), (*ms).into()))
+        .collect()
 }
 
 fn text(output: &Output<'_>, times: &StageTimes) -> String {
     let errors = &output.errors;
     let mut text = format!(
         "{} {} on {}: {} triangles, {} objects, {} × {} pixels\n",
-        output.method, output.variant, output.scene, output.triangles, output.objects,
-        output.width, output.height,
+        output.method,
+        output.variant,
+        output.scene,
+        output.triangles,
+        output.objects,
+        output.width,
+        output.height,
     );
     text.push_str(&format!(
         "wrong pixels: {} ({} false lit, {} false shadowed; {} artifacts), {} ambiguous\n",
@@ -193,9 +211,16 @@ fn text(output: &Output<'_>, times: &StageTimes) -> String {
         errors.artifact_px,
         errors.ambiguous_px,
     ));
-    let stages: Vec<_> =
-        times.stages.iter().map(|(name, ms)| format!("{name} {ms:.3}")).collect();
-    text.push_str(&format!("{:.3} ms: {}\n", times.frame_ms(), stages.join(", ")));
+    let stages: Vec<_> = times
+        .stages
+        .iter()
+        .map(|(name, ms)| format!("{name} {ms:.3}"))
+        .collect();
+    text.push_str(&format!(
+        "{:.3} ms: {}\n",
+        times.frame_ms(),
+        stages.join(", ")
+    ));
     for warning in &output.warnings {
         text.push_str(&format!("note: {warning}\n"));
     }

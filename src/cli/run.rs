@@ -29,11 +29,17 @@ pub(super) struct RunArgs {
     device: DeviceArgs,
 }
 
-#[allow(clippy::print_stdout, reason = "the table and the report's path are this command's result")]
+#[allow(
+    clippy::print_stdout,
+    reason = "the table and the report's path are this command's result"
+)]
 pub(super) fn execute(args: &RunArgs) -> anyhow::Result<()> {
     let mut plan = RunPlan::read(&args.config)?;
-    let overrides =
-        Overrides { size_px: args.size, frames: args.frames, only: args.only.clone() };
+    let overrides = Overrides {
+        size_px: args.size,
+        frames: args.frames,
+        only: args.only.clone(),
+    };
     overrides.apply(&mut plan)?;
     let gpu = args.device.open()?;
     let out = match &args.out {
@@ -52,7 +58,10 @@ pub(super) fn execute(args: &RunArgs) -> anyhow::Result<()> {
     progress.finish();
     let outcome = outcome?;
     let page = crate::report::write_all(&out, &error_map_legend())?;
-    print!("{}", std::fs::read_to_string(out.join(crate::report::TABLE_FILE))?);
+    print!(
+        "{}",
+        std::fs::read_to_string(out.join(crate::report::TABLE_FILE))?
+    );
     println!("\nreport: {}", page.display());
     args.device.check_validation()?;
     if outcome.status == RunStatus::Interrupted {
@@ -67,9 +76,33 @@ pub(super) fn execute(args: &RunArgs) -> anyhow::Result<()> {
 /// `results/<date>-<time>-<config>-<device>`.
 fn default_out(config: &Path, gpu: &Gpu) -> PathBuf {
     let now = jiff::Zoned::now().strftime("%Y-%m-%d-%H%M%S").to_string();
-    let config = config.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-    let device = gpu.info.name.split_whitespace().take(3).collect::<Vec<_>>().join("-");
-    let safe = |c: char| if c.is_ascii_alphanumeric() || c == '-' { c.to_ascii_lowercase() } else { '-' };
-    let name: String = format!("{now}-{config}-{device}").chars().map(safe).collect();
-    Path::new("results").join(name.split('-').filter(|part| !part.is_empty()).collect::<Vec<_>>().join("-"))
+    let config = config
+        .file_stem()
+        .unwrap_or_default()
+        .to_string_lossy()
+        .into_owned();
+    let device = gpu
+        .info
+        .name
+        .split_whitespace()
+        .take(3)
+        .collect::<Vec<_>>()
+        .join("-");
+    let safe = |c: char| {
+        if c.is_ascii_alphanumeric() || c == '-' {
+            c.to_ascii_lowercase()
+        } else {
+            '-'
+        }
+    };
+    let name: String = format!("{now}-{config}-{device}")
+        .chars()
+        .map(safe)
+        .collect();
+    Path::new("results").join(
+        name.split('-')
+            .filter(|part| !part.is_empty())
+            .collect::<Vec<_>>()
+            .join("-"),
+    )
 }

@@ -33,7 +33,9 @@ pub(super) fn light(text: &str) -> Result<Vec4, String> {
         1.0 => Ok(light),
         0.0 if light.truncate() != Vec3::ZERO => Ok(light),
         0.0 => Err("the direction towards the light has length 0".to_owned()),
-        w => Err(format!("w is {w}; it must be 1 (a point) or 0 (a direction)")),
+        w => Err(format!(
+            "w is {w}; it must be 1 (a point) or 0 (a direction)"
+        )),
     }
 }
 
@@ -62,7 +64,15 @@ mod tests {
         assert_eq!(vec3("1,-2.5,3e2"), Ok(Vec3::new(1.0, -2.5, 300.0)));
         assert_eq!(light("1,2,3"), Ok(Vec4::new(1.0, 2.0, 3.0, 1.0)));
         assert_eq!(light("1,2,3,0"), Ok(Vec4::new(1.0, 2.0, 3.0, 0.0)));
-        for wrong in ["", "1,2", "1,2,nan", "1,2,3,0.5", "0,0,0,0", "1,2,3,1,1", "1,2,inf"] {
+        for wrong in [
+            "",
+            "1,2",
+            "1,2,nan",
+            "1,2,3,0.5",
+            "0,0,0,0",
+            "1,2,3,1,1",
+            "1,2,inf",
+        ] {
             assert!(light(wrong).is_err(), "{wrong}");
         }
     }

@@ -31,11 +31,15 @@ impl Overrides {
                 return Err(ConfigError(format!("--only: {}", unknown_method(id))));
             }
             if !plan.methods.iter().any(|method| method.info().id == id) {
-                return Err(ConfigError(format!("--only: {} does not run `{id}`", plan.path)));
+                return Err(ConfigError(format!(
+                    "--only: {} does not run `{id}`",
+                    plan.path
+                )));
             }
         }
         if !self.only.is_empty() {
-            plan.methods.retain(|method| self.only.iter().any(|id| id == method.info().id));
+            plan.methods
+                .retain(|method| self.only.iter().any(|id| id == method.info().id));
         }
         super::run_file::check_counts(plan).map_err(ConfigError)
     }

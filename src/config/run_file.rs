@@ -2,7 +2,7 @@
 
 use super::{ConfigError, RunPlan, ScenePlan, find_scene};
 use crate::methods::{self, ShadowMethod, parameters};
-use crate::scene::toml_error;
+use crate::toml_error;
 use serde::Deserialize;
 use std::ops::Range;
 use std::path::Path;
@@ -69,13 +69,19 @@ struct Misplaced {
 
 impl Misplaced {
     fn new(span: Range<usize>, message: impl Into<String>) -> Self {
-        Self { span: Some(span), message: message.into() }
+        Self {
+            span: Some(span),
+            message: message.into(),
+        }
     }
 }
 
 impl From<toml::de::Error> for Misplaced {
     fn from(error: toml::de::Error) -> Self {
-        Self { span: error.span(), message: toml_error::with_suggestion(error.message()) }
+        Self {
+            span: error.span(),
+            message: toml_error::with_suggestion(error.message()),
+        }
     }
 }
 
@@ -87,7 +93,11 @@ impl RunPlan {
     pub fn read(path: &Path) -> Result<Self, ConfigError> {
         let name = path.display().to_string();
         let text = std::fs::read_to_string(path).map_err(|error| {
-            let hint = if path.is_dir() { ": it is a directory, name a TOML file" } else { "" };
+            let hint = if path.is_dir() {
+                ": it is a directory, name a TOML file"
+            } else {
+                ""
+            };
             ConfigError(format!("{name}: cannot be read: {error}{hint}"))
         })?;
         let base = path.parent().unwrap_or(Path::new(""));
@@ -103,7 +113,11 @@ impl RunPlan {
             Some(span) => ConfigError(toml_error::at(&span, &message, text, name)),
             None => ConfigError(format!("{name}: {message}")),
         })?;
-        Ok(Self { path: name.to_owned(), text: text.to_owned(), ..plan })
+        Ok(Self {
+            path: name.to_owned(),
+            text: text.to_owned(),
+            ..plan
+        })
     }
 }
 
@@ -133,7 +147,11 @@ fn parse(text: &str, base: &Path) -> Result<RunPlan, Misplaced> {
         warmup_frames: in_range(&wire.warmup_frames, "warmup_frames", 0, MOST_FRAMES)?,
         verified_frames: in_range(&wire.verified_frames, "verified_frames", 0, MOST_FRAMES)?,
         seed: wire.seed,
-        scenes: wire.scenes.iter().map(|scene| read_scene(scene, base)).collect::<Result<_, _>>()?,
+        scenes: wire
+            .scenes
+            .iter()
+            .map(|scene| read_scene(scene, base))
+            .collect::<Result<_, _>>()?,
         methods,
         path: String::new(),
         text: String::new(),
@@ -142,7 +160,10 @@ fn parse(text: &str, base: &Path) -> Result<RunPlan, Misplaced> {
 
 fn missing(key: &str, example: &str) -> Misplaced {
     let message = format!("no `[[{key}]]`: name at least one, for example `{example}`");
-    Misplaced { span: None, message }
+    Misplaced {
+        span: None,
+        message,
+    }
 }
 
 fn read_scene(wire: &SceneWire, base: &Path) -> Result<ScenePlan, Misplaced> {
@@ -166,7 +187,10 @@ fn read_methods(
     match value.into_inner() {
         DeValue::Array(array) if array.is_empty() => Err(missing("methods", example)),
         DeValue::Array(array) => array_items(array).map(read_method).collect(),
-        _ => Err(Misplaced::new(span, "`methods` must be tables: `[[methods]]`")),
+        _ => Err(Misplaced::new(
+            span,
+            "`methods` must be tables: `[[methods]]`",
+        )),
     }
 }
 
@@ -177,7 +201,10 @@ fn array_items(array: DeArray<'_>) -> impl Iterator<Item = Spanned<DeValue<'_>>>
 fn read_method(entry: Spanned<DeValue<'_>>) -> Result<Box<dyn ShadowMethod>, Misplaced> {
     let span = entry.span();
     let DeValue::Table(mut table) = entry.into_inner() else {
-        return Err(Misplaced::new(span, "a method must be a table with an `id`"));
+        return Err(Misplaced::new(
+            span,
+            "a method must be a table with an `id`",
+        ));
     };
     let id = table
         .remove("id")
@@ -189,7 +216,10 @@ fn read_method(entry: Spanned<DeValue<'_>>) -> Result<Box<dyn ShadowMethod>, Mis
         .ok_or_else(|| Misplaced::new(id.span(), parameters::unknown_method(name)))?;
     (registration.configure)(Spanned::new(span.clone(), DeValue::Table(table))).map_err(|error| {
         let message = toml_error::with_suggestion(&error.message);
-        Misplaced::new(error.span.unwrap_or(span), format!("method `{name}`: {message}"))
+        Misplaced::new(
+            error.span.unwrap_or(span),
+            format!("method `{name}`: {message}"),
+        )
     })
 }
 
@@ -198,14 +228,19 @@ fn check_size((width, height): (u32, u32)) -> Result<(), String> {
     if side.contains(&width) && side.contains(&height) {
         return Ok(());
     }
-    Err(format!("a picture of {width} × {height} pixels; both sides must be 1 to {MOST_PIXELS}"))
+    Err(format!(
+        "a picture of {width} × {height} pixels; both sides must be 1 to {MOST_PIXELS}"
+    ))
 }
 
 /// Checks the numbers that the command line may have changed.
 pub(super) fn check_counts(plan: &RunPlan) -> Result<(), String> {
     check_size(plan.size_px)?;
     if !(1..=MOST_FRAMES).contains(&plan.frames) {
-        return Err(format!("{} frames; it must be 1 to {MOST_FRAMES}", plan.frames));
+        return Err(format!(
+            "{} frames; it must be 1 to {MOST_FRAMES}",
+            plan.frames
+        ));
     }
     Ok(())
 }

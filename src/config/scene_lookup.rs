@@ -1,8 +1,8 @@
 //! Finding a scene file: by path, or by the name of one that comes with the program.
 
 use super::{ConfigError, ScenePlan};
-use crate::scene::toml_error::nearest;
 use crate::scene::{ModelSearch, SceneFile};
+use crate::toml_error::nearest;
 use include_dir::{Dir, include_dir};
 use std::path::{Path, PathBuf};
 
@@ -11,7 +11,10 @@ static SCENES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/scenes");
 /// Names of the scenes that come with the program.
 pub fn builtin_scenes() -> Vec<&'static str> {
     let stem = |path: &'static Path| path.file_stem()?.to_str();
-    let is_scene = |path: &Path| path.extension().is_some_and(|extension| extension == "toml");
+    let is_scene = |path: &Path| {
+        path.extension()
+            .is_some_and(|extension| extension == "toml")
+    };
     let mut names: Vec<_> = SCENES
         .files()
         .filter(|file| is_scene(file.path()))
@@ -30,10 +33,15 @@ pub fn find_scene(name: &str, base: &Path) -> Result<ScenePlan, ConfigError> {
     let candidates = [PathBuf::from(name), base.join(name)];
     if let Some(path) = candidates.iter().find(|path| path.is_file()) {
         let file = SceneFile::read(path).map_err(|error| ConfigError(chain(&error)))?;
-        return Ok(ScenePlan { file, search: ModelSearch::for_scene_file(path) });
+        return Ok(ScenePlan {
+            file,
+            search: ModelSearch::for_scene_file(path),
+        });
     }
     let path = Path::new("scenes").join(format!("{name}.toml"));
-    let builtin = SCENES.get_file(format!("{name}.toml")).and_then(|file| file.contents_utf8());
+    let builtin = SCENES
+        .get_file(format!("{name}.toml"))
+        .and_then(|file| file.contents_utf8());
     let Some(text) = builtin else {
         let known = builtin_scenes();
         let hint = nearest(name, known.iter().copied())
@@ -47,7 +55,10 @@ pub fn find_scene(name: &str, base: &Path) -> Result<ScenePlan, ConfigError> {
     };
     let file = SceneFile::parse(text, &path.to_string_lossy())
         .map_err(|error| ConfigError(chain(&error)))?;
-    Ok(ScenePlan { file, search: ModelSearch::for_scene_file(&path) })
+    Ok(ScenePlan {
+        file,
+        search: ModelSearch::for_scene_file(&path),
+    })
 }
 
 /// The error with its causes, in one line.
@@ -63,7 +74,10 @@ mod tests {
     #[test]
     fn every_scene_of_the_program_is_valid() {
         let names = builtin_scenes();
-        assert!(names.contains(&"sphere_grid") && names.contains(&"sponza"), "{names:?}");
+        assert!(
+            names.contains(&"sphere_grid") && names.contains(&"sponza"),
+            "{names:?}"
+        );
         for name in names {
             let plan = find_scene(name, Path::new("")).expect("a valid scene");
             assert_eq!(plan.file.name, name);
@@ -72,7 +86,10 @@ mod tests {
 
     #[test]
     fn a_misspelt_scene_gets_a_hint() {
-        let error = find_scene("sponsa", Path::new("")).err().expect("no such scene").to_string();
+        let error = find_scene("sponsa", Path::new(""))
+            .err()
+            .expect("no such scene")
+            .to_string();
         assert!(error.contains("did you mean `sponza`"), "{error}");
     }
 }

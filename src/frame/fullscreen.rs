@@ -29,9 +29,16 @@ pub fn bind_group(
 ) -> wgpu::BindGroup {
     let entries: Vec<_> = (0..)
         .zip(resources)
-        .map(|(binding, resource)| wgpu::BindGroupEntry { binding, resource: resource.clone() })
+        .map(|(binding, resource)| wgpu::BindGroupEntry {
+            binding,
+            resource: resource.clone(),
+        })
         .collect();
-    device.create_bind_group(&wgpu::BindGroupDescriptor { label: None, layout, entries: &entries })
+    device.create_bind_group(&wgpu::BindGroupDescriptor {
+        label: None,
+        layout,
+        entries: &entries,
+    })
 }
 
 /// The binding type of a 2D texture that is read texel by texel.
@@ -94,7 +101,11 @@ pub fn pass<'a>(
             },
         })],
         depth_stencil_attachment: depth_stencil.map(|view| {
-            wgpu::RenderPassDepthStencilAttachment { view, depth_ops: None, stencil_ops: None }
+            wgpu::RenderPassDepthStencilAttachment {
+                view,
+                depth_ops: None,
+                stencil_ops: None,
+            }
         }),
         ..Default::default()
     })

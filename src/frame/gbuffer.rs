@@ -12,40 +12,44 @@ pub struct GBuffer {
 impl GBuffer {
     pub(super) fn new(gpu: &Gpu, uniform: &FrameUniform) -> Self {
         let module = shader::wgsl(&gpu.device, "frame/gbuffer.wgsl");
-        let layout = gpu.device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
-            label: Some("gbuffer"),
-            bind_group_layouts: &[Some(&uniform.layout)],
-            ..Default::default()
-        });
-        let pipeline = gpu.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-            label: Some("gbuffer"),
-            layout: Some(&layout),
-            vertex: wgpu::VertexState {
-                module: &module,
-                entry_point: Some("vertex"),
-                compilation_options: wgpu::PipelineCompilationOptions::default(),
-                buffers: &[Some(SceneBuffers::vertex_layout())],
-            },
-            // Both sides of every surface are drawn: open meshes show their backs, and a front cap
-            // on the far plane is exact only if its caster is in the depth buffer.
-            primitive: wgpu::PrimitiveState::default(),
-            depth_stencil: Some(wgpu::DepthStencilState {
-                format: gpu.depth_format(),
-                depth_write_enabled: Some(true),
-                depth_compare: Some(wgpu::CompareFunction::Greater),
-                stencil: wgpu::StencilState::default(),
-                bias: wgpu::DepthBiasState::default(),
-            }),
-            multisample: wgpu::MultisampleState::default(),
-            fragment: Some(wgpu::FragmentState {
-                module: &module,
-                entry_point: Some("fragment"),
-                compilation_options: wgpu::PipelineCompilationOptions::default(),
-                targets: &[Some(TRIANGLE_ID_FORMAT.into())],
-            }),
-            multiview_mask: None,
-            cache: None,
-        });
+        let layout = gpu
+            .device
+            .create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+                label: Some("gbuffer"),
+                bind_group_layouts: &[Some(&uniform.layout)],
+                ..Default::default()
+            });
+        let pipeline = gpu
+            .device
+            .create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+                label: Some("gbuffer"),
+                layout: Some(&layout),
+                vertex: wgpu::VertexState {
+                    module: &module,
+                    entry_point: Some("vertex"),
+                    compilation_options: wgpu::PipelineCompilationOptions::default(),
+                    buffers: &[Some(SceneBuffers::vertex_layout())],
+                },
+                // Both sides of every surface are drawn: open meshes show their backs, and a front cap
+                // on the far plane is exact only if its caster is in the depth buffer.
+                primitive: wgpu::PrimitiveState::default(),
+                depth_stencil: Some(wgpu::DepthStencilState {
+                    format: gpu.depth_format(),
+                    depth_write_enabled: Some(true),
+                    depth_compare: Some(wgpu::CompareFunction::Greater),
+                    stencil: wgpu::StencilState::default(),
+                    bias: wgpu::DepthBiasState::default(),
+                }),
+                multisample: wgpu::MultisampleState::default(),
+                fragment: Some(wgpu::FragmentState {
+                    module: &module,
+                    entry_point: Some("fragment"),
+                    compilation_options: wgpu::PipelineCompilationOptions::default(),
+                    targets: &[Some(TRIANGLE_ID_FORMAT.into())],
+                }),
+                multiview_mask: None,
+                cache: None,
+            });
         Self { pipeline }
     }
 

@@ -48,27 +48,38 @@ impl Stage {
         let uniform = FrameUniform::new(gpu);
         let gbuffer = GBuffer::new(gpu, &uniform);
         let shade = Shade::new(gpu, &uniform, &buffers, &targets);
-        Self { scene: buffers, targets, uniform, gbuffer, shade }
+        Self {
+            scene: buffers,
+            targets,
+            uniform,
+            gbuffer,
+            shade,
+        }
     }
 
     /// Sets view and light of the frames recorded from now on. Returns the matrix in use.
     pub fn set_view(&self, gpu: &Gpu, view: &View, light: glam::Vec4) -> glam::Mat4 {
-        self.uniform.write(gpu, view, light, (self.targets.width, self.targets.height))
+        self.uniform
+            .write(gpu, view, light, (self.targets.width, self.targets.height))
     }
 
     /// Records a whole frame with `method`.
     pub fn record(&self, frame: &mut FrameRecorder<'_>, method: &dyn PreparedMethod) {
         frame.stage(GBUFFER_STAGE, |encoder| {
-            self.gbuffer.record(encoder, &self.uniform, &self.scene, &self.targets);
+            self.gbuffer
+                .record(encoder, &self.uniform, &self.scene, &self.targets);
         });
         method.record(frame, self);
-        frame.stage(SHADE_STAGE, |encoder| self.shade.record(encoder, &self.uniform, &self.targets));
+        frame.stage(SHADE_STAGE, |encoder| {
+            self.shade.record(encoder, &self.uniform, &self.targets);
+        });
     }
 
     /// Records the G-buffer alone, for whoever reads the triangle ids.
     pub fn record_gbuffer(&self, frame: &mut FrameRecorder<'_>) {
         frame.stage(GBUFFER_STAGE, |encoder| {
-            self.gbuffer.record(encoder, &self.uniform, &self.scene, &self.targets);
+            self.gbuffer
+                .record(encoder, &self.uniform, &self.scene, &self.targets);
         });
     }
 }

@@ -30,16 +30,23 @@ impl SceneBuffers {
     pub fn new(gpu: &Gpu, mesh: &Mesh) -> Self {
         let positions: Vec<_> = mesh.positions.iter().map(|p| p.extend(1.0)).collect();
         let buffer = |label, contents: &[u8], usage| {
-            gpu.device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
-                label: Some(label),
-                contents,
-                usage: usage | wgpu::BufferUsages::STORAGE,
-            })
+            gpu.device
+                .create_buffer_init(&wgpu::util::BufferInitDescriptor {
+                    label: Some(label),
+                    contents,
+                    usage: usage | wgpu::BufferUsages::STORAGE,
+                })
         };
-        let positions =
-            buffer("positions", bytemuck::cast_slice(&positions), wgpu::BufferUsages::VERTEX);
-        let indices =
-            buffer("indices", bytemuck::cast_slice(&mesh.triangles), wgpu::BufferUsages::INDEX);
+        let positions = buffer(
+            "positions",
+            bytemuck::cast_slice(&positions),
+            wgpu::BufferUsages::VERTEX,
+        );
+        let indices = buffer(
+            "indices",
+            bytemuck::cast_slice(&mesh.triangles),
+            wgpu::BufferUsages::INDEX,
+        );
         let read_only = wgpu::BindingType::Buffer {
             ty: wgpu::BufferBindingType::Storage { read_only: true },
             has_dynamic_offset: false,
@@ -53,8 +60,15 @@ impl SceneBuffers {
             indices,
             layout,
             bind_group,
-            objects: mesh.objects.iter().map(|object| object.triangles.clone()).collect(),
-            casters: mesh.casters().map(|object| object.triangles.clone()).collect(),
+            objects: mesh
+                .objects
+                .iter()
+                .map(|object| object.triangles.clone())
+                .collect(),
+            casters: mesh
+                .casters()
+                .map(|object| object.triangles.clone())
+                .collect(),
         }
     }
 

@@ -1,7 +1,7 @@
 //! The last stage: the lit picture.
 
-use super::targets::COLOUR_FORMAT;
 use super::fullscreen::{self, bind_group, bind_group_layout, texture_binding};
+use super::targets::COLOUR_FORMAT;
 use super::{FrameUniform, SceneBuffers, Targets};
 use crate::gpu::{Gpu, shader};
 
@@ -29,9 +29,16 @@ impl Shade {
                 texture_binding(wgpu::TextureSampleType::Depth),
             ],
         );
-        let views = [&targets.triangle_ids_view, &targets.mask_view, &targets.depth_only_view];
-        let inputs =
-            bind_group(device, &input_layout, &views.map(wgpu::BindingResource::TextureView));
+        let views = [
+            &targets.triangle_ids_view,
+            &targets.mask_view,
+            &targets.depth_only_view,
+        ];
+        let inputs = bind_group(
+            device,
+            &input_layout,
+            &views.map(wgpu::BindingResource::TextureView),
+        );
         let module = shader::wgsl(device, "frame/shade.wgsl");
         let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
             label: Some("shade"),
@@ -42,9 +49,12 @@ impl Shade {
             ],
             ..Default::default()
         });
-        let pipeline =
-            fullscreen::pipeline(device, &module, "shade", &layout, COLOUR_FORMAT, None);
-        Self { pipeline, geometry: scene.bind_group.clone(), inputs }
+        let pipeline = fullscreen::pipeline(device, &module, "shade", &layout, COLOUR_FORMAT, None);
+        Self {
+            pipeline,
+            geometry: scene.bind_group.clone(),
+            inputs,
+        }
     }
 
     pub(super) fn record(

@@ -41,7 +41,11 @@ impl Targets {
         let texture = |label, format, usage| {
             gpu.device.create_texture(&wgpu::TextureDescriptor {
                 label: Some(label),
-                size: wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
+                size: wgpu::Extent3d {
+                    width,
+                    height,
+                    depth_or_array_layers: 1,
+                },
                 mip_level_count: 1,
                 sample_count: 1,
                 dimension: wgpu::TextureDimension::D2,
@@ -52,12 +56,15 @@ impl Targets {
         };
         let read = wgpu::TextureUsages::COPY_SRC;
         let sample = wgpu::TextureUsages::TEXTURE_BINDING;
-        let depth = texture("depth", gpu.depth_format(), sample);
+        let depth = texture("depth", gpu.depth_format(), read | sample);
         let triangle_ids = texture("triangle ids", TRIANGLE_ID_FORMAT, read | sample);
         let mask = texture("shadow mask", MASK_FORMAT, read | sample);
         let colour = texture("colour", COLOUR_FORMAT, read);
         let view = |texture: &wgpu::Texture, aspect| {
-            texture.create_view(&wgpu::TextureViewDescriptor { aspect, ..Default::default() })
+            texture.create_view(&wgpu::TextureViewDescriptor {
+                aspect,
+                ..Default::default()
+            })
         };
         Self {
             width,

@@ -35,25 +35,34 @@ impl FrameUniform {
             usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
             mapped_at_creation: false,
         });
-        let layout = gpu.device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
-            label: Some("frame"),
-            entries: &[wgpu::BindGroupLayoutEntry {
-                binding: 0,
-                visibility: wgpu::ShaderStages::VERTEX_FRAGMENT,
-                ty: wgpu::BindingType::Buffer {
-                    ty: wgpu::BufferBindingType::Uniform,
-                    has_dynamic_offset: false,
-                    min_binding_size: None,
-                },
-                count: None,
-            }],
-        });
+        let layout = gpu
+            .device
+            .create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+                label: Some("frame"),
+                entries: &[wgpu::BindGroupLayoutEntry {
+                    binding: 0,
+                    visibility: wgpu::ShaderStages::VERTEX_FRAGMENT,
+                    ty: wgpu::BindingType::Buffer {
+                        ty: wgpu::BufferBindingType::Uniform,
+                        has_dynamic_offset: false,
+                        min_binding_size: None,
+                    },
+                    count: None,
+                }],
+            });
         let bind_group = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("frame"),
             layout: &layout,
-            entries: &[wgpu::BindGroupEntry { binding: 0, resource: buffer.as_entire_binding() }],
+            entries: &[wgpu::BindGroupEntry {
+                binding: 0,
+                resource: buffer.as_entire_binding(),
+            }],
         });
-        Self { buffer, layout, bind_group }
+        Self {
+            buffer,
+            layout,
+            bind_group,
+        }
     }
 
     /// Writes view, light and picture size for what is submitted from now on, and returns the
@@ -68,7 +77,8 @@ impl FrameUniform {
             eye: view.eye.extend(1.0),
             picture: Vec4::new(width, height, view.near, 0.0),
         };
-        gpu.queue.write_buffer(&self.buffer, 0, bytemuck::bytes_of(&data));
+        gpu.queue
+            .write_buffer(&self.buffer, 0, bytemuck::bytes_of(&data));
         view_projection
     }
 }
@@ -81,7 +91,9 @@ fn clip_to_eye_ray(view_projection: Mat4, view: &View) -> Mat4 {
     let about_eye = view_projection.as_dmat4() * DMat4::from_translation(view.eye.as_dvec3());
     // clip = M (ray, 1) with rows x, y, w of M linear in the ray; the z row is (0, 0, 0, near).
     let rows = [about_eye.row(0), about_eye.row(1), about_eye.row(3)].map(|row| row.truncate());
-    let inverse = glam::DMat3::from_cols(rows[0], rows[1], rows[2]).transpose().inverse();
+    let inverse = glam::DMat3::from_cols(rows[0], rows[1], rows[2])
+        .transpose()
+        .inverse();
     let column = |i: usize| inverse.col(i).as_vec3().extend(0.0);
     Mat4::from_cols(column(0), column(1), Vec3::ZERO.extend(0.0), column(2))
 }

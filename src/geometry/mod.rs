@@ -4,5 +4,5 @@
 pub mod facing;
 pub mod topology;
 
-pub use facing::facing;
+pub use facing::{facing, vertex_less};
 pub use topology::{Edge, EdgeCounts, Topology};

@@ -122,7 +122,10 @@ impl Gpu {
         let adapter = choose(adapters(options.validation), options.adapter.as_deref())?;
         let info = adapter.get_info();
         if let Some(missing) = unsuitable(&adapter) {
-            return Err(GpuError::Unsuitable { adapter: info.name, missing });
+            return Err(GpuError::Unsuitable {
+                adapter: info.name,
+                missing,
+            });
         }
         let features = REQUIRED | (OPTIONAL & adapter.features());
         let opened = native::open(&adapter, features).map_err(|reason| GpuError::Open {
@@ -256,8 +259,13 @@ fn choose(adapters: Vec<wgpu::Adapter>, wanted: Option<&str>) -> Result<wgpu::Ad
     }
     let Some(wanted) = wanted else {
         // A machine may list a device that lacks what we need before one that has it.
-        let fit = adapters.iter().position(|adapter| unsuitable(adapter).is_none());
-        return adapters.into_iter().nth(fit.unwrap_or(0)).ok_or(GpuError::NoAdapter);
+        let fit = adapters
+            .iter()
+            .position(|adapter| unsuitable(adapter).is_none());
+        return adapters
+            .into_iter()
+            .nth(fit.unwrap_or(0))
+            .ok_or(GpuError::NoAdapter);
     };
     let name = |adapter: &wgpu::Adapter| adapter.get_info().name;
     let found = adapters.iter().map(name).collect();
@@ -265,12 +273,19 @@ fn choose(adapters: Vec<wgpu::Adapter>, wanted: Option<&str>) -> Result<wgpu::Ad
     adapters
         .into_iter()
         .find(|adapter| matches(name(adapter)))
-        .ok_or_else(|| GpuError::NoSuchAdapter { wanted: wanted.to_owned(), found })
+        .ok_or_else(|| GpuError::NoSuchAdapter {
+            wanted: wanted.to_owned(),
+            found,
+        })
 }
 
 fn unsuitable(adapter: &wgpu::Adapter) -> Option<String> {
     let missing = REQUIRED - adapter.features();
     (!missing.is_empty()).then(|| {
-        missing.iter_names().map(|(name, _)| name.to_lowercase()).collect::<Vec<_>>().join(", ")
+        missing
+            .iter_names()
+            .map(|(name, _)| name.to_lowercase())
+            .collect::<Vec<_>>()
+            .join(", ")
     })
 }

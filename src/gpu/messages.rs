@@ -29,7 +29,10 @@ impl log::Log for Messages {
         metadata.level() <= log::Level::Warn
     }
 
-    #[allow(clippy::print_stderr, reason = "this is the logger: standard error is where it writes")]
+    #[allow(
+        clippy::print_stderr,
+        reason = "this is the logger: standard error is where it writes"
+    )]
     fn log(&self, record: &log::Record<'_>) {
         if !self.enabled(record.metadata()) {
             return;
@@ -38,7 +41,10 @@ impl log::Log for Messages {
         eprintln!("{}: {text}", record.level().as_str().to_lowercase());
         // The messenger's record starts with the message type and the id: `VALIDATION [VUID-...`.
         if record.target().contains("vulkan::instance") && text.starts_with("VALIDATION") {
-            COLLECTED.lock().unwrap_or_else(PoisonError::into_inner).push(text);
+            COLLECTED
+                .lock()
+                .unwrap_or_else(PoisonError::into_inner)
+                .push(text);
         }
     }
 

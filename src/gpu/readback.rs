@@ -20,7 +20,9 @@ pub fn read_texture(gpu: &Gpu, texture: &wgpu::Texture) -> anyhow::Result<Vec<u8
         usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
         mapped_at_creation: false,
     });
-    let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+    let mut encoder = gpu
+        .device
+        .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
     encoder.copy_texture_to_buffer(
         texture.as_image_copy(),
         wgpu::TexelCopyBufferInfo {
@@ -36,7 +38,10 @@ pub fn read_texture(gpu: &Gpu, texture: &wgpu::Texture) -> anyhow::Result<Vec<u8
     gpu.queue.submit([encoder.finish()]);
     let bytes = read_buffer(gpu, &buffer)?;
     let rows = bytes.chunks_exact(padded_row_bytes as usize);
-    Ok(rows.flat_map(|row| &row[..row_bytes as usize]).copied().collect())
+    Ok(rows
+        .flat_map(|row| &row[..row_bytes as usize])
+        .copied()
+        .collect())
 }
 
 /// The contents of a buffer with `MAP_READ` usage, after all submitted work is done.

@@ -23,7 +23,13 @@ impl<'a> FrameRecorder<'a> {
         if let Some(slot) = slot {
             encoder.write_timestamp(&slot.queries, 0);
         }
-        Self { gpu, encoder, finished: Vec::new(), slot, stages: Vec::new() }
+        Self {
+            gpu,
+            encoder,
+            finished: Vec::new(),
+            slot,
+            stages: Vec::new(),
+        }
     }
 
     /// A frame whose stages nobody times.
@@ -56,15 +62,20 @@ impl<'a> FrameRecorder<'a> {
         );
         let before = std::mem::replace(&mut self.encoder, new_encoder(self.gpu));
         self.finished.push(before.finish());
-        self.finished.push(NativePass::record(&self.gpu.device, target, bindings, draw));
+        self.finished
+            .push(NativePass::record(&self.gpu.device, target, bindings, draw));
         self.end_stage(name);
     }
 
     fn end_stage(&mut self, name: &'static str) {
         self.stages.push(name);
-        assert!(self.stages.len() <= MAX_STAGES, "a frame has at most {MAX_STAGES} stages");
+        assert!(
+            self.stages.len() <= MAX_STAGES,
+            "a frame has at most {MAX_STAGES} stages"
+        );
         if let Some(slot) = self.slot {
-            self.encoder.write_timestamp(&slot.queries, self.stages.len() as u32);
+            self.encoder
+                .write_timestamp(&slot.queries, self.stages.len() as u32);
         }
     }
 
@@ -80,5 +91,8 @@ impl<'a> FrameRecorder<'a> {
 }
 
 fn new_encoder(gpu: &Gpu) -> wgpu::CommandEncoder {
-    gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("frame") })
+    gpu.device
+        .create_command_encoder(&wgpu::CommandEncoderDescriptor {
+            label: Some("frame"),
+        })
 }

@@ -24,9 +24,15 @@ fn append(path: &str, seen: &mut BTreeSet<String>, text: &mut String) {
         return;
     }
     let file = SHADERS.get_file(path).and_then(|file| file.contents_utf8());
-    let Some(file) = file else { panic!("shader source `{path}` is not part of the program") };
+    let Some(file) = file else {
+        panic!("shader source `{path}` is not part of the program")
+    };
     for line in file.lines() {
-        match line.trim().strip_prefix("#include \"").and_then(|rest| rest.strip_suffix('"')) {
+        match line
+            .trim()
+            .strip_prefix("#include \"")
+            .and_then(|rest| rest.strip_suffix('"'))
+        {
             Some(included) => append(included, seen, text),
             None => {
                 text.push_str(line);
@@ -104,7 +110,9 @@ pub struct Spirv {
 /// # Panics
 /// When it does not compile: sources are part of the program, so that is a bug.
 pub fn glsl(path: &str, defines: &[(&str, u32)]) -> Spirv {
-    let Some(stage) = GlslStage::of_path(path) else { panic!("`{path}` names no shader stage") };
+    let Some(stage) = GlslStage::of_path(path) else {
+        panic!("`{path}` names no shader stage")
+    };
     let words = compile(stage, path, defines);
     match words {
         Ok(words) => Spirv { stage, words },
@@ -130,7 +138,11 @@ fn compile(
     };
     let compiler = Compiler::acquire().ok_or("the GLSL compiler could not be started")?;
     let text: String = std::iter::once("#version 450\n".to_owned())
-        .chain(defines.iter().map(|(name, value)| format!("#define {name} {value}\n")))
+        .chain(
+            defines
+                .iter()
+                .map(|(name, value)| format!("#define {name} {value}\n")),
+        )
         .chain([source(path)])
         .collect();
     let options = CompilerOptions {

@@ -32,7 +32,11 @@ impl StageTimes {
 
     /// Time of the stage called `name`; 0 where there is none.
     pub fn stage_ms(&self, name: &str) -> f64 {
-        self.stages.iter().filter(|(stage, _)| *stage == name).map(|(_, ms)| ms).sum()
+        self.stages
+            .iter()
+            .filter(|(stage, _)| *stage == name)
+            .map(|(_, ms)| ms)
+            .sum()
     }
 }
 
@@ -97,7 +101,9 @@ impl<T> FrameTimer<T> {
     /// A timer for `gpu`.
     pub fn new(gpu: &Gpu) -> Self {
         Self {
-            free: (0..FRAMES_IN_FLIGHT).map(|_| Slot::new(&gpu.device)).collect(),
+            free: (0..FRAMES_IN_FLIGHT)
+                .map(|_| Slot::new(&gpu.device))
+                .collect(),
             pending: VecDeque::new(),
             period_ns: f64::from(gpu.queue.get_timestamp_period()),
         }
@@ -127,11 +133,19 @@ impl<T> FrameTimer<T> {
         let (stages, submission) = recorder.submit();
         let cpu_ms = begin.elapsed().as_secs_f64() * 1e3;
         let (sender, mapped) = std::sync::mpsc::channel();
-        slot.readable.map_async(wgpu::MapMode::Read, .., move |result| {
-            // Nobody listens any more if the run was given up.
-            let _ = sender.send(result);
+        slot.readable
+            .map_async(wgpu::MapMode::Read, .., move |result| {
+                // Nobody listens any more if the run was given up.
+                let _ = sender.send(result);
+            });
+        self.pending.push_back(Pending {
+            tag,
+            slot,
+            stages,
+            submission,
+            cpu_ms,
+            mapped,
         });
-        self.pending.push_back(Pending { tag, slot, stages, submission, cpu_ms, mapped });
         Ok(done)
     }
 
@@ -150,11 +164,22 @@ impl<T> FrameTimer<T> {
     }
 
     fn wait_for_oldest(&mut self, gpu: &Gpu) -> anyhow::Result<(Slot, (T, StageTimes))> {
-        let Some(Pending { tag, slot, stages, submission, cpu_ms, mapped }) = self.pending.pop_front() else {
+        let Some(Pending {
+            tag,
+            slot,
+            stages,
+            submission,
+            cpu_ms,
+            mapped,
+        }) = self.pending.pop_front()
+        else {
             unreachable!("every slot is either free or pending")
         };
         // Only for this frame: those submitted after it keep the device busy.
-        gpu.device.poll(wgpu::PollType::Wait { submission_index: Some(submission), timeout: None })?;
+        gpu.device.poll(wgpu::PollType::Wait {
+            submission_index: Some(submission),
+            timeout: None,
+        })?;
         mapped.recv()??;
         let ticks: Vec<u64> = {
             let bytes = slot.readable.get_mapped_range(..)?;

@@ -34,9 +34,18 @@ struct Axes {
 impl Axes {
     fn new(origin: DVec3, forward: DVec3) -> Self {
         let forward = forward.normalize_or(DVec3::NEG_Y);
-        let helper = if forward.y.abs() > 0.9 { DVec3::X } else { DVec3::Y };
+        let helper = if forward.y.abs() > 0.9 {
+            DVec3::X
+        } else {
+            DVec3::Y
+        };
         let right = forward.cross(helper).normalize();
-        Self { origin, right, up: right.cross(forward), forward }
+        Self {
+            origin,
+            right,
+            up: right.cross(forward),
+            forward,
+        }
     }
 
     fn local(&self, p: DVec3) -> DVec3 {
@@ -61,11 +70,18 @@ struct Extent {
 }
 
 impl Extent {
-    const EMPTY: Self =
-        Self { low: DVec3::INFINITY, high: DVec3::NEG_INFINITY, covered: 0 };
+    const EMPTY: Self = Self {
+        low: DVec3::INFINITY,
+        high: DVec3::NEG_INFINITY,
+        covered: 0,
+    };
 
     fn with(self, p: DVec3) -> Self {
-        Self { low: self.low.min(p), high: self.high.max(p), covered: self.covered + 1 }
+        Self {
+            low: self.low.min(p),
+            high: self.high.max(p),
+            covered: self.covered + 1,
+        }
     }
 
     fn union(self, other: Self) -> Self {
@@ -82,7 +98,11 @@ impl LightFrustum {
     /// behind a point light among the casters) are left out. `None` if none can be covered.
     pub(super) fn around_casters(mesh: &Mesh, light: Vec4) -> Option<Self> {
         let objects: Vec<_> = mesh.casters().collect();
-        let vertices = || objects.par_iter().flat_map(|o| mesh.positions[o.vertex_range()].par_iter());
+        let vertices = || {
+            objects
+                .par_iter()
+                .flat_map(|o| mesh.positions[o.vertex_range()].par_iter())
+        };
         let bounds = vertices()
             .fold(|| Extent::EMPTY, |extent, p| extent.with(p.as_dvec3()))
             .reduce(|| Extent::EMPTY, Extent::union);
@@ -122,9 +142,15 @@ fn matrix(axes: &Axes, extent: &Extent, is_point: bool) -> Mat4 {
     let size = (extent.high - extent.low).max(DVec3::splat(f64::MIN_POSITIVE));
     let (near, far) = if is_point {
         let far = extent.high.z * (1.0 + MARGIN);
-        ((extent.low.z * (1.0 - MARGIN)).max(far * MIN_NEAR_BY_FAR), far)
+        (
+            (extent.low.z * (1.0 - MARGIN)).max(far * MIN_NEAR_BY_FAR),
+            far,
+        )
     } else {
-        (extent.low.z - MARGIN * size.z, extent.high.z + MARGIN * size.z)
+        (
+            extent.low.z - MARGIN * size.z,
+            extent.high.z + MARGIN * size.z,
+        )
     };
     let middle = (extent.high + extent.low) / 2.0;
     let scale = 2.0 / (size * (1.0 + 2.0 * MARGIN));
@@ -161,11 +187,22 @@ mod tests {
 
     #[test]
     fn every_caster_is_inside_and_the_rim_is_used() {
-        let mesh = SphereGrid { rows: 3, columns: 4, slices: 8 }.mesh().expect("valid grid");
-        for light in [Vec4::new(3.0, 40.0, 5.0, 1.0), Vec4::new(0.3, 1.0, 0.2, 0.0)] {
+        let mesh = SphereGrid {
+            rows: 3,
+            columns: 4,
+            slices: 8,
+        }
+        .mesh()
+        .expect("valid grid");
+        for light in [
+            Vec4::new(3.0, 40.0, 5.0, 1.0),
+            Vec4::new(0.3, 1.0, 0.2, 0.0),
+        ] {
             let frustum = LightFrustum::around_casters(&mesh, light).expect("covers");
             assert_eq!(frustum.covered, 1.0);
-            let casters = mesh.casters().flat_map(|o| &mesh.positions[o.vertex_range()]);
+            let casters = mesh
+                .casters()
+                .flat_map(|o| &mesh.positions[o.vertex_range()]);
             let (mut low, mut high) = (glam::Vec3::INFINITY, glam::Vec3::NEG_INFINITY);
             for p in casters {
                 let ndc = clip(&frustum, *p);
@@ -180,9 +217,19 @@ mod tests {
 
     #[test]
     fn a_light_among_the_casters_covers_a_part() {
-        let mesh = SphereGrid { rows: 10, columns: 10, slices: 8 }.mesh().expect("valid grid");
+        let mesh = SphereGrid {
+            rows: 10,
+            columns: 10,
+            slices: 8,
+        }
+        .mesh()
+        .expect("valid grid");
         let light = Vec4::new(0.0, 3.0, 0.0, 1.0);
         let frustum = LightFrustum::around_casters(&mesh, light).expect("covers some");
-        assert!(frustum.covered > 0.1 && frustum.covered < 1.0, "{}", frustum.covered);
+        assert!(
+            frustum.covered > 0.1 && frustum.covered < 1.0,
+            "{}",
+            frustum.covered
+        );
     }
 }

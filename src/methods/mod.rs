@@ -45,7 +45,9 @@ impl MethodInfo {
     /// # Errors
     /// The reason why not, as a sentence for people.
     pub fn check(&self, gpu: &Gpu) -> Result<(), String> {
-        self.needs.iter().try_for_each(|requirement| gpu.check(*requirement))
+        self.needs
+            .iter()
+            .try_for_each(|requirement| gpu.check(*requirement))
     }
 }
 
@@ -78,12 +80,18 @@ pub struct PrepareContext<'a> {
 impl<'a> PrepareContext<'a> {
     /// For the methods of one scene.
     pub fn new(gpu: &'a Gpu, scene: &'a Scene, stage: &'a Stage) -> Self {
-        Self { gpu, scene, stage, topology: OnceCell::new() }
+        Self {
+            gpu,
+            scene,
+            stage,
+            topology: OnceCell::new(),
+        }
     }
 
     /// Edges with their opposite vertices; built when the first method asks.
     pub fn topology(&self) -> &Topology {
-        self.topology.get_or_init(|| Topology::build(&self.scene.mesh))
+        self.topology
+            .get_or_init(|| Topology::build(&self.scene.mesh))
     }
 
     /// The topology if any method has asked for it.
@@ -105,7 +113,8 @@ pub trait ShadowMethod {
     ///
     /// # Errors
     /// When it cannot run on this scene or device.
-    fn prepare(&self, context: &PrepareContext<'_>) -> Result<Box<dyn PreparedMethod>, MethodError>;
+    fn prepare(&self, context: &PrepareContext<'_>)
+    -> Result<Box<dyn PreparedMethod>, MethodError>;
 }
 
 /// A method ready to draw frames of one scene.

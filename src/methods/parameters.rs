@@ -19,7 +19,10 @@ pub struct ParameterError {
 
 impl From<toml::de::Error> for ParameterError {
     fn from(error: toml::de::Error) -> Self {
-        Self { message: error.message().to_owned(), span: error.span() }
+        Self {
+            message: error.message().to_owned(),
+            span: error.span(),
+        }
     }
 }
 
@@ -61,7 +64,10 @@ where
     let method = M::deserialize(ValueDeserializer::from(table))?;
     match method.validate() {
         Ok(()) => Ok(Box::new(method)),
-        Err(message) => Err(ParameterError { message, span: Some(span) }),
+        Err(message) => Err(ParameterError {
+            message,
+            span: Some(span),
+        }),
     }
 }
 
@@ -72,7 +78,10 @@ where
 /// A message for people that names the nearest known id or parameter.
 pub fn parse_method(text: &str) -> Result<Box<dyn ShadowMethod>, ParameterError> {
     let (id, rest) = text.split_once(',').unwrap_or((text, ""));
-    let plain = |message| ParameterError { message, span: None };
+    let plain = |message| ParameterError {
+        message,
+        span: None,
+    };
     let registration = super::find(id).ok_or_else(|| plain(unknown_method(id)))?;
     let mut document = String::new();
     for pair in rest.split(',').filter(|pair| !pair.is_empty()) {
@@ -87,22 +96,29 @@ pub fn parse_method(text: &str) -> Result<Box<dyn ShadowMethod>, ParameterError>
     let table = DeTable::parse(&document).map_err(ParameterError::from)?;
     let value = Spanned::new(table.span(), DeValue::Table(table.into_inner()));
     (registration.configure)(value).map_err(|error| {
-        let message = crate::scene::toml_error::with_suggestion(&error.message);
+        let message = crate::toml_error::with_suggestion(&error.message);
         plain(format!("method `{id}`: {message}"))
     })
 }
 
 /// The message for an id that is no method.
 pub fn unknown_method(id: &str) -> String {
-    let ids = || super::REGISTRY.iter().map(|registration| registration.info.id);
-    let hint = crate::scene::toml_error::nearest(id, ids())
+    let ids = || {
+        super::REGISTRY
+            .iter()
+            .map(|registration| registration.info.id)
+    };
+    let hint = crate::toml_error::nearest(id, ids())
         .map(|nearest| format!("; did you mean `{nearest}`?"))
         .unwrap_or_default();
-    format!("unknown method `{id}`{hint} (known: {})", ids().collect::<Vec<_>>().join(", "))
+    format!(
+        "unknown method `{id}`{hint} (known: {})",
+        ids().collect::<Vec<_>>().join(", ")
+    )
 }
 
 /// Checks that a parameter lies in its range.
-pub(super) fn in_range<T: PartialOrd + std::fmt::Display>(
+pub(super) fn in_range<T: Copy + PartialOrd + std::fmt::Display>(
     name: &str,
     value: T,
     range: std::ops::RangeInclusive<T>,
@@ -110,5 +126,9 @@ pub(super) fn in_range<T: PartialOrd + std::fmt::Display>(
     if range.contains(&value) {
         return Ok(());
     }
-    Err(format!("`{name}` is {value}; it must be from {} to {}", range.start(), range.end()))
+    Err(format!(
+        "`{name}` is {value}; it must be from {} to {}",
+        range.start(),
+        range.end()
+    ))
 }

@@ -18,12 +18,23 @@ pub struct Registration {
 
 /// Every method, in the order in which they are listed.
 pub static REGISTRY: &[Registration] = &[
-    Registration { info: &silhouette_ts::INFO, configure: configure::<silhouette_ts::SilhouetteTs> },
-    Registration { info: &silhouette_gs::INFO, configure: configure::<silhouette_gs::SilhouetteGs> },
-    Registration { info: &shadow_map::INFO, configure: configure::<shadow_map::ShadowMap> },
+    Registration {
+        info: &silhouette_ts::INFO,
+        configure: configure::<silhouette_ts::SilhouetteTs>,
+    },
+    Registration {
+        info: &silhouette_gs::INFO,
+        configure: configure::<silhouette_gs::SilhouetteGs>,
+    },
+    Registration {
+        info: &shadow_map::INFO,
+        configure: configure::<shadow_map::ShadowMap>,
+    },
 ];
 
 /// The method called `id`.
 pub fn find(id: &str) -> Option<&'static Registration> {
-    REGISTRY.iter().find(|registration| registration.info.id == id)
+    REGISTRY
+        .iter()
+        .find(|registration| registration.info.id == id)
 }

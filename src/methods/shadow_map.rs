@@ -23,9 +23,21 @@ pub(super) static INFO: MethodInfo = MethodInfo {
         "a light among the casters: what its widest frustum (150 degrees) leaves out is lit",
     ],
     parameters: &[
-        ("resolution", "8192", "side of the square map in texels, up to the device's limit"),
-        ("constant_bias", "2", "depth bias in units of the depth buffer's last bit, at least 0"),
-        ("slope_bias", "2.0", "depth bias in texels times the slope of the surface, at least 0"),
+        (
+            "resolution",
+            "8192",
+            "side of the square map in texels, up to the device's limit",
+        ),
+        (
+            "constant_bias",
+            "2",
+            "depth bias in units of the depth buffer's last bit, at least 0",
+        ),
+        (
+            "slope_bias",
+            "2.0",
+            "depth bias in texels times the slope of the surface, at least 0",
+        ),
     ],
 };
 
@@ -40,7 +52,11 @@ pub(super) struct ShadowMap {
 
 impl Default for ShadowMap {
     fn default() -> Self {
-        Self { resolution: 8192, constant_bias: 2, slope_bias: 2.0 }
+        Self {
+            resolution: 8192,
+            constant_bias: 2,
+            slope_bias: 2.0,
+        }
     }
 }
 
@@ -61,7 +77,10 @@ impl ShadowMethod for ShadowMap {
         self.difference()
     }
 
-    fn prepare(&self, context: &PrepareContext<'_>) -> Result<Box<dyn PreparedMethod>, MethodError> {
+    fn prepare(
+        &self,
+        context: &PrepareContext<'_>,
+    ) -> Result<Box<dyn PreparedMethod>, MethodError> {
         let largest = context.gpu.max_texture_px();
         if self.resolution > largest {
             return Err(MethodError::Parameter(format!(
@@ -102,7 +121,11 @@ impl PreparedMap {
         let side = parameters.resolution;
         let map = device.create_texture(&wgpu::TextureDescriptor {
             label: Some("shadow map"),
-            size: wgpu::Extent3d { width: side, height: side, depth_or_array_layers: 1 },
+            size: wgpu::Extent3d {
+                width: side,
+                height: side,
+                depth_or_array_layers: 1,
+            },
             mip_level_count: 1,
             sample_count: 1,
             dimension: wgpu::TextureDimension::D2,
@@ -167,33 +190,34 @@ impl PreparedMap {
 
 fn map_pipeline(gpu: &Gpu, parameters: &ShadowMap) -> wgpu::RenderPipeline {
     let module = shader::wgsl(&gpu.device, "methods/shadow_map/map.wgsl");
-    gpu.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-        label: Some("shadow map"),
-        layout: None,
-        vertex: wgpu::VertexState {
-            module: &module,
-            entry_point: Some("vertex"),
-            compilation_options: wgpu::PipelineCompilationOptions::default(),
-            buffers: &[Some(SceneBuffers::vertex_layout())],
-        },
-        // Both sides cast: meshes may be open.
-        primitive: wgpu::PrimitiveState::default(),
-        depth_stencil: Some(wgpu::DepthStencilState {
-            format: MAP_FORMAT,
-            depth_write_enabled: Some(true),
-            depth_compare: Some(wgpu::CompareFunction::Less),
-            stencil: wgpu::StencilState::default(),
-            bias: wgpu::DepthBiasState {
-                constant: parameters.constant_bias,
-                slope_scale: parameters.slope_bias,
-                clamp: 0.0,
+    gpu.device
+        .create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+            label: Some("shadow map"),
+            layout: None,
+            vertex: wgpu::VertexState {
+                module: &module,
+                entry_point: Some("vertex"),
+                compilation_options: wgpu::PipelineCompilationOptions::default(),
+                buffers: &[Some(SceneBuffers::vertex_layout())],
             },
-        }),
-        multisample: wgpu::MultisampleState::default(),
-        fragment: None,
-        multiview_mask: None,
-        cache: None,
-    })
+            // Both sides cast: meshes may be open.
+            primitive: wgpu::PrimitiveState::default(),
+            depth_stencil: Some(wgpu::DepthStencilState {
+                format: MAP_FORMAT,
+                depth_write_enabled: Some(true),
+                depth_compare: Some(wgpu::CompareFunction::Less),
+                stencil: wgpu::StencilState::default(),
+                bias: wgpu::DepthBiasState {
+                    constant: parameters.constant_bias,
+                    slope_scale: parameters.slope_bias,
+                    clamp: 0.0,
+                },
+            }),
+            multisample: wgpu::MultisampleState::default(),
+            fragment: None,
+            multiview_mask: None,
+            cache: None,
+        })
 }
 
 impl PreparedMethod for PreparedMap {

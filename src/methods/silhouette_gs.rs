@@ -34,7 +34,9 @@ pub(super) struct SilhouetteGs {
 
 impl Default for SilhouetteGs {
     fn default() -> Self {
-        Self { max_multiplicity: 32 }
+        Self {
+            max_multiplicity: 32,
+        }
     }
 }
 
@@ -53,7 +55,10 @@ impl ShadowMethod for SilhouetteGs {
         self.difference()
     }
 
-    fn prepare(&self, context: &PrepareContext<'_>) -> Result<Box<dyn PreparedMethod>, MethodError> {
+    fn prepare(
+        &self,
+        context: &PrepareContext<'_>,
+    ) -> Result<Box<dyn PreparedMethod>, MethodError> {
         let volumes = SilhouetteVolumes::new(context, self.max_multiplicity, |largest| {
             // Room for exactly what this scene can need: a larger output slows the stage down.
             let room = [("MAX_MULTIPLICITY", largest)];

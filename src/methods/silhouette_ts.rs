@@ -15,7 +15,11 @@ pub(super) static INFO: MethodInfo = MethodInfo {
     id: "silhouette_ts",
     title: "silhouette shadow volumes, side quads by tessellation shaders",
     source: "Milet, Kobrtek, Zemčík, Pečiva 2014, section 2.2",
-    needs: &[Requirement::TessellationStage, COMMON_NEEDS[0], COMMON_NEEDS[1]],
+    needs: &[
+        Requirement::TessellationStage,
+        COMMON_NEEDS[0],
+        COMMON_NEEDS[1],
+    ],
     limits: &[COUNTER_LIMIT],
     parameters: &[(
         "max_multiplicity",
@@ -33,7 +37,9 @@ pub(super) struct SilhouetteTs {
 
 impl Default for SilhouetteTs {
     fn default() -> Self {
-        Self { max_multiplicity: MOST_QUADS }
+        Self {
+            max_multiplicity: MOST_QUADS,
+        }
     }
 }
 
@@ -52,7 +58,10 @@ impl ShadowMethod for SilhouetteTs {
         self.difference()
     }
 
-    fn prepare(&self, context: &PrepareContext<'_>) -> Result<Box<dyn PreparedMethod>, MethodError> {
+    fn prepare(
+        &self,
+        context: &PrepareContext<'_>,
+    ) -> Result<Box<dyn PreparedMethod>, MethodError> {
         let volumes = SilhouetteVolumes::new(context, self.max_multiplicity, |_| SideShaders {
             stages: vec![
                 shader::glsl("methods/silhouette_ts/sides.tesc", &[]),

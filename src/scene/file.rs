@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use glam::Vec4;
 use serde::Deserialize;
 
+use super::Scene;
 use super::camera::CameraPath;
 use super::mesh::Mesh;
 use super::model_search::ModelSearch;
@@ -13,7 +14,7 @@ use super::obj::{self, Up};
 use super::scene_error::SceneError;
 use super::sphere_grid::SphereGrid;
 use super::wire::{FileWire, Misplaced};
-use super::{Scene, toml_error};
+use crate::toml_error;
 
 /// A scene as its file describes it: checked, but without its triangles.
 #[derive(Clone, Debug, PartialEq)]
@@ -90,6 +91,7 @@ impl SceneFile {
         let MeshSource::SphereGrid(grid) = &mut self.mesh else {
             return Err(SceneError::NotASphereGrid { scene: self.name });
         };
+        let file_size = (grid.rows, grid.columns);
         *grid = SphereGrid {
             rows: rows.unwrap_or(grid.rows),
             columns: columns.unwrap_or(grid.columns),
@@ -106,6 +108,13 @@ impl SceneFile {
             slices,
         } = *grid;
         self.title = format!("Sphere grid {rows} × {columns}, {slices} slices");
+        // Variants of one grid are a family: same name, ending in the number of slices.
+        let grid_name = &self.name;
+        self.name = if (rows, columns) == file_size {
+            format!("{grid_name}_n{slices}")
+        } else {
+            format!("{grid_name}_{rows}x{columns}_n{slices}")
+        };
         self.expect = Some(Expect {
             triangles: grid.triangle_count(),
             objects: grid.sphere_count(),

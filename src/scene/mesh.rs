@@ -108,16 +108,23 @@ impl Mesh {
     }
 }
 
-/// The position with -0 and denormal numbers replaced by +0.
+/// The position moved to the nearest multiple of 2⁻⁴⁰ in each coordinate, with -0 replaced by +0.
 ///
-/// Then equal positions have equal bits, and a GPU that flushes denormals reads what the CPU reads.
+/// Coordinates of magnitude 2⁻¹⁷ and more are such multiples anyway. Equal positions then have equal
+/// bits, and no arithmetic on them that [`crate::geometry::facing`] does meets a denormal number.
 pub fn canonical(position: Vec3) -> Vec3 {
     Vec3::from_array(position.to_array().map(canonical_number))
 }
 
-/// One number of a [`canonical`] position.
+/// One number of a [canonical](canonical) position.
 pub(super) fn canonical_number(x: f32) -> f32 {
-    if x == 0.0 || x.is_subnormal() { 0.0 } else { x }
+    const GRID_PER_UNIT: f32 = (1u64 << 40) as f32;
+    const COARSE_ENOUGH: f32 = 1.0 / (1u32 << 16) as f32;
+    if x.abs() >= COARSE_ENOUGH {
+        return x;
+    }
+    // Adding +0 turns -0 into +0.
+    (x * GRID_PER_UNIT).round_ties_even() / GRID_PER_UNIT + 0.0
 }
 
 #[cfg(test)]
@@ -177,15 +184,21 @@ mod tests {
     }
 
     #[test]
-    fn canonical_positions_have_one_zero_and_no_denormals() {
+    fn canonical_positions_have_one_zero_and_lie_on_the_grid() {
         let p = canonical(Vec3::new(-0.0, -1e-40, 1.5));
         assert_eq!(
             p.to_array().map(f32::to_bits),
             [0.0f32, 0.0, 1.5].map(f32::to_bits)
         );
+        let grid = 2f32.powi(-40);
+        let p = canonical(Vec3::new(2.6 * grid, -0.4 * grid, f32::MAX));
         assert_eq!(
-            canonical(Vec3::splat(-f32::MIN_POSITIVE)),
-            Vec3::splat(-f32::MIN_POSITIVE)
+            p.to_array().map(f32::to_bits),
+            [3.0 * grid, 0.0, f32::MAX].map(f32::to_bits)
         );
+        for x in [1e-5, -1.7e-5, 3.3e-7, 1e30] {
+            let moved = (f64::from(canonical_number(x)) - f64::from(x)).abs();
+            assert!(moved <= f64::from(grid) / 2.0, "{x}");
+        }
     }
 }

@@ -8,7 +8,6 @@ pub mod obj;
 mod obj_diagnosis;
 pub mod scene_error;
 pub mod sphere_grid;
-pub mod toml_error;
 mod weld;
 mod wire;
 

@@ -6,8 +6,13 @@ use svbench::gpu::{Gpu, GpuOptions, messages};
 
 static DEVICE: LazyLock<Mutex<Gpu>> = LazyLock::new(|| {
     let adapter = std::env::var("SVBENCH_TEST_ADAPTER").ok();
-    let options = GpuOptions { adapter, validation: true };
-    Mutex::new(Gpu::open(&options).expect("tests need a Vulkan device; scripts/test.sh installs one"))
+    let options = GpuOptions {
+        adapter,
+        validation: true,
+    };
+    Mutex::new(
+        Gpu::open(&options).expect("tests need a Vulkan device; scripts/test.sh installs one"),
+    )
 });
 
 /// The device, for one test at a time; dropping it fails the test if the validation layers spoke.

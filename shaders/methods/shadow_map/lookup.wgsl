@@ -1,13 +1,11 @@
 // Shadow mask from the shadow map: nearest texel, one comparison a pixel.
-#include "shared/frame.wgsl"
+#include "shared/dark_side.wgsl"
 #include "shared/fullscreen.wgsl"
 
 struct Light {
     view_projection: mat4x4<f32>,
 }
 
-@group(1) @binding(0) var<storage, read> positions: array<vec4<f32>>;
-@group(1) @binding(1) var<storage, read> indices: array<u32>;
 @group(2) @binding(0) var triangle_ids: texture_2d<u32>;
 @group(2) @binding(1) var depth: texture_depth_2d;
 @group(2) @binding(2) var map: texture_depth_2d;
@@ -23,15 +21,7 @@ fn lookup(@builtin(position) at: vec4<f32>) -> @location(0) vec4<f32> {
     if id == 0u {
         return LIT;
     }
-    // A surface whose visible side faces away from the light needs no map.
-    let first = 3u * (id - 1u);
-    let a = positions[indices[first]].xyz;
-    let normal = cross(
-        positions[indices[first + 1u]].xyz - a,
-        positions[indices[first + 2u]].xyz - a,
-    );
-    let to_light = frame.light.xyz - a * frame.light.w;
-    if dot(normal, to_light) * dot(normal, frame.eye.xyz - a) <= 0.0 {
+    if shows_dark_side(id) {
         return SHADOWED;
     }
     let position = surface_position(at.xy, textureLoad(depth, pixel, 0));

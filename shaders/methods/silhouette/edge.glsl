@@ -2,7 +2,8 @@
 #include "shared/frame.glsl"
 #include "shared/facing.glsl"
 
-// x, y: end points. z, w: first opposite vertex and how many. Twin of `Edge` in topology.rs.
+// x, y: end points, x before y in the vertex order. z, w: first opposite vertex and how many.
+// Twin of `Edge` in src/geometry/topology.rs.
 layout(set = 0, binding = 3, std430) readonly buffer Edges { uvec4 edges[]; };
 layout(set = 0, binding = 4, std430) readonly buffer Opposites { uint opposites[]; };
 
@@ -12,7 +13,7 @@ layout(set = 0, binding = 4, std430) readonly buffer Opposites { uint opposites[
 int multiplicity(uvec4 edge, vec3 a, vec3 b) {
     int sum = 0;
     for (uint i = 0u; i < edge.w; ++i) {
-        sum += facing(a, b, positions[opposites[edge.z + i]].xyz, frame.light);
+        sum += facing_of_edge(a, b, positions[opposites[edge.z + i]].xyz, frame.light);
     }
     return sum;
 }

@@ -5,7 +5,10 @@
 //! the program lives below this module. What the callers must uphold is encoded in types: native
 //! objects keep the wgpu objects that they refer to alive, and wait for the device before they are
 //! destroyed.
-#![allow(unsafe_code, reason = "native Vulkan calls; each block states why it is sound")]
+#![allow(
+    unsafe_code,
+    reason = "native Vulkan calls; each block states why it is sound"
+)]
 
 mod open;
 mod pass;

@@ -73,7 +73,11 @@ pub fn open(adapter: &wgpu::Adapter, features: wgpu::Features) -> Result<Opened,
     } else {
         open_vulkan(adapter, &descriptor, stages)?
     };
-    Ok(Opened { device, queue, stages })
+    Ok(Opened {
+        device,
+        queue,
+        stages,
+    })
 }
 
 /// wgpu keeps the core Vulkan feature set private, so the device is created here with wgpu's own
@@ -107,7 +111,9 @@ fn open_vulkan(
     // SAFETY: extensions and features are those that wgpu would ask for, plus stages that
     // `support` found; every pointer in `info` lives until after the call.
     let raw = unsafe {
-        hal.shared_instance().raw_instance().create_device(hal.raw_physical_device(), &info, None)
+        hal.shared_instance()
+            .raw_instance()
+            .create_device(hal.raw_physical_device(), &info, None)
     }
     .map_err(|error| error.to_string())?;
     // SAFETY: `raw` was created from this adapter with the queue family, extensions and a superset

@@ -27,8 +27,9 @@ impl NativePass<'_> {
         bindings: &Bindings,
         draw: impl FnOnce(&mut NativePass<'_>),
     ) -> wgpu::CommandBuffer {
-        let mut encoder =
-            device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("native") });
+        let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor {
+            label: Some("native"),
+        });
         let Ok(raw) = super::raw_device(device) else {
             unreachable!("a native target exists only on Vulkan")
         };
@@ -37,7 +38,9 @@ impl NativePass<'_> {
         // stay valid until the commands have run.
         unsafe {
             encoder.as_hal_mut::<Vulkan, _, _>(|hal| {
-                let Some(hal) = hal else { unreachable!("a native target exists only on Vulkan") };
+                let Some(hal) = hal else {
+                    unreachable!("a native target exists only on Vulkan")
+                };
                 let commands = hal.raw_handle();
                 wait_for_uploads(&raw, commands);
                 let begin = vk::RenderPassBeginInfo::default()
@@ -56,7 +59,11 @@ impl NativePass<'_> {
                     &[bindings.set],
                     &[],
                 );
-                let mut pass = NativePass { raw, commands, _bound: bindings };
+                let mut pass = NativePass {
+                    raw,
+                    commands,
+                    _bound: bindings,
+                };
                 draw(&mut pass);
                 pass.raw.cmd_end_render_pass(commands);
             });
@@ -82,7 +89,15 @@ impl NativePass<'_> {
             return;
         }
         // SAFETY: the pass is under way with a pipeline and its bindings bound.
-        unsafe { self.raw.cmd_draw(self.commands, vertices.end - vertices.start, 1, vertices.start, 0) };
+        unsafe {
+            self.raw.cmd_draw(
+                self.commands,
+                vertices.end - vertices.start,
+                1,
+                vertices.start,
+                0,
+            );
+        };
     }
 }
 

@@ -36,7 +36,10 @@ impl Bindings {
         buffers: &[(BindingKind, &wgpu::Buffer)],
     ) -> Result<Self, NativeError> {
         let raw = raw_device(device)?;
-        let kinds: Vec<_> = buffers.iter().map(|(kind, _)| descriptor_type(*kind)).collect();
+        let kinds: Vec<_> = buffers
+            .iter()
+            .map(|(kind, _)| descriptor_type(*kind))
+            .collect();
         let slots: Vec<_> = (0..)
             .zip(&kinds)
             .map(|(binding, kind)| {
@@ -49,10 +52,15 @@ impl Bindings {
             .collect();
         let sizes: Vec<_> = kinds
             .iter()
-            .map(|&ty| vk::DescriptorPoolSize { ty, descriptor_count: 1 })
+            .map(|&ty| vk::DescriptorPoolSize {
+                ty,
+                descriptor_count: 1,
+            })
             .collect();
         let layout_info = vk::DescriptorSetLayoutCreateInfo::default().bindings(&slots);
-        let pool_info = vk::DescriptorPoolCreateInfo::default().max_sets(1).pool_sizes(&sizes);
+        let pool_info = vk::DescriptorPoolCreateInfo::default()
+            .max_sets(1)
+            .pool_sizes(&sizes);
         // SAFETY: the create infos point to arrays that live until after the calls, and every
         // handle passed was made by the same device in a call before.
         let (set_layout, pool, layout, set) = unsafe {
@@ -73,7 +81,10 @@ impl Bindings {
         for (binding, ((_, buffer), kind)) in (0..).zip(buffers.iter().zip(&kinds)) {
             // SAFETY: the clones kept in `_buffers` outlive every use of the descriptor set.
             unsafe {
-                let handle = buffer.as_hal::<Vulkan>().ok_or(NativeError::NotVulkan)?.raw_handle();
+                let handle = buffer
+                    .as_hal::<Vulkan>()
+                    .ok_or(NativeError::NotVulkan)?
+                    .raw_handle();
                 let infos = [vk::DescriptorBufferInfo {
                     buffer: handle,
                     offset: 0,
@@ -87,8 +98,19 @@ impl Bindings {
                 raw.update_descriptor_sets(&[write], &[]);
             }
         }
-        let _buffers = buffers.iter().map(|(_, buffer)| (*buffer).clone()).collect();
-        Ok(Self { layout, set, set_layout, pool, raw, device: device.clone(), _buffers })
+        let _buffers = buffers
+            .iter()
+            .map(|(_, buffer)| (*buffer).clone())
+            .collect();
+        Ok(Self {
+            layout,
+            set,
+            set_layout,
+            pool,
+            raw,
+            device: device.clone(),
+            _buffers,
+        })
     }
 }
 
@@ -99,7 +121,8 @@ impl Drop for Bindings {
         unsafe {
             self.raw.destroy_pipeline_layout(self.layout, None);
             self.raw.destroy_descriptor_pool(self.pool, None);
-            self.raw.destroy_descriptor_set_layout(self.set_layout, None);
+            self.raw
+                .destroy_descriptor_set_layout(self.set_layout, None);
         }
     }
 }
@@ -121,16 +144,15 @@ pub enum PrimitiveTopology {
 }
 
 /// What happens to the primitives that the last shader before the rasteriser leaves.
-#[derive(Debug, Clone, Copy, PartialEq)]
+///
+/// Counting goes on in the stencil buffer, with wrap-around: back faces add one and front faces take
+/// one away. Front faces wind counter-clockwise in y-up clip space. Depth is never written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Raster {
-    /// z-fail counting in the stencil buffer: where the depth test (reversed depth, `greater`)
-    /// fails, back faces add one and front faces take one away, both with wrap-around. Front faces
-    /// wind counter-clockwise in y-up clip space. Depth is not written.
-    CountDepthFails {
-        /// `[near, far]` of the viewport's depth. `[0.0, 0.0]` moves every fragment to the far
-        /// plane of a reversed depth buffer, after clipping.
-        depth_range: [f32; 2],
-    },
+    /// Count where the depth test (reversed depth, `greater`) fails: z-fail.
+    CountDepthFails,
+    /// Count everywhere.
+    CountAll,
     /// Nothing is drawn; the shaders' side effects are all.
     Discard,
 }
@@ -168,14 +190,20 @@ impl Pipeline {
         for stage in desc.stages {
             let info = vk::ShaderModuleCreateInfo::default().code(&stage.words);
             // SAFETY: the words are valid SPIR-V, straight from the compiler.
-            modules.push((stage.stage, unsafe { raw.create_shader_module(&info, None) }?));
+            modules.push((stage.stage, unsafe {
+                raw.create_shader_module(&info, None)
+            }?));
         }
         let handle = create(&raw, target, bindings, desc, &modules);
         for (_, module) in modules {
             // SAFETY: a pipeline keeps what it needs of its modules, so they may go now.
             unsafe { raw.destroy_shader_module(module, None) };
         }
-        Ok(Self { handle: handle?, raw, device: device.clone() })
+        Ok(Self {
+            handle: handle?,
+            raw,
+            device: device.clone(),
+        })
     }
 }
 
@@ -196,28 +224,26 @@ fn create(
         })
         .collect();
     let vertex_input = vk::PipelineVertexInputStateCreateInfo::default();
-    let assembly = vk::PipelineInputAssemblyStateCreateInfo::default().topology(
-        match desc.topology {
+    let assembly =
+        vk::PipelineInputAssemblyStateCreateInfo::default().topology(match desc.topology {
             PrimitiveTopology::Points => vk::PrimitiveTopology::POINT_LIST,
             PrimitiveTopology::Patches => vk::PrimitiveTopology::PATCH_LIST,
-        },
-    );
+        });
     let tessellation = vk::PipelineTessellationStateCreateInfo::default().patch_control_points(1);
     let vk::Extent2D { width, height } = target.extent;
-    let depth_range = match desc.raster {
-        Raster::CountDepthFails { depth_range } => depth_range,
-        Raster::Discard => [0.0, 1.0],
-    };
     // The negative height turns y up in clip space, as in wgpu's own passes.
     let viewports = [vk::Viewport {
         x: 0.0,
         y: height as f32,
         width: width as f32,
         height: -(height as f32),
-        min_depth: depth_range[0],
-        max_depth: depth_range[1],
+        min_depth: 0.0,
+        max_depth: 1.0,
     }];
-    let scissors = [vk::Rect2D { offset: vk::Offset2D::default(), extent: target.extent }];
+    let scissors = [vk::Rect2D {
+        offset: vk::Offset2D::default(),
+        extent: target.extent,
+    }];
     let viewport = vk::PipelineViewportStateCreateInfo::default()
         .viewports(&viewports)
         .scissors(&scissors);
@@ -230,11 +256,17 @@ fn create(
         .cull_mode(vk::CullModeFlags::NONE)
         .front_face(vk::FrontFace::COUNTER_CLOCKWISE)
         .line_width(1.0);
+    let tests_depth = desc.raster == Raster::CountDepthFails;
     let multisample = vk::PipelineMultisampleStateCreateInfo::default()
         .rasterization_samples(vk::SampleCountFlags::TYPE_1);
-    let on_depth_fail = |operation| vk::StencilOpState {
+    // Without a depth test, every fragment passes it.
+    let count = |operation| vk::StencilOpState {
         fail_op: vk::StencilOp::KEEP,
-        pass_op: vk::StencilOp::KEEP,
+        pass_op: if tests_depth {
+            vk::StencilOp::KEEP
+        } else {
+            operation
+        },
         depth_fail_op: operation,
         compare_op: vk::CompareOp::ALWAYS,
         compare_mask: 0xff,
@@ -242,11 +274,11 @@ fn create(
         reference: 0,
     };
     let depth_stencil = vk::PipelineDepthStencilStateCreateInfo::default()
-        .depth_test_enable(true)
+        .depth_test_enable(tests_depth)
         .depth_compare_op(vk::CompareOp::GREATER)
         .stencil_test_enable(true)
-        .front(on_depth_fail(vk::StencilOp::DECREMENT_AND_WRAP))
-        .back(on_depth_fail(vk::StencilOp::INCREMENT_AND_WRAP));
+        .front(count(vk::StencilOp::DECREMENT_AND_WRAP))
+        .back(count(vk::StencilOp::INCREMENT_AND_WRAP));
     let blend = vk::PipelineColorBlendStateCreateInfo::default();
     let mut info = vk::GraphicsPipelineCreateInfo::default()
         .stages(&stages)

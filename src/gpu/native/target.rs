@@ -27,9 +27,17 @@ impl Target {
     pub fn new(device: &wgpu::Device, texture: &wgpu::Texture) -> Result<Self, NativeError> {
         assert_eq!(texture.format(), wgpu::TextureFormat::Depth32FloatStencil8);
         let raw = raw_device(device)?;
-        let extent = vk::Extent2D { width: texture.width(), height: texture.height() };
+        let extent = vk::Extent2D {
+            width: texture.width(),
+            height: texture.height(),
+        };
         // SAFETY: the handle is borrowed; the clone of `texture` below keeps the image alive.
-        let image = unsafe { texture.as_hal::<Vulkan>().ok_or(NativeError::NotVulkan)?.raw_handle() };
+        let image = unsafe {
+            texture
+                .as_hal::<Vulkan>()
+                .ok_or(NativeError::NotVulkan)?
+                .raw_handle()
+        };
         let view_info = vk::ImageViewCreateInfo::default()
             .image(image)
             .view_type(vk::ImageViewType::TYPE_2D)
@@ -77,12 +85,15 @@ fn create_render_pass(raw: &ash::Device) -> Result<vk::RenderPass, vk::Result> {
         .stencil_store_op(vk::AttachmentStoreOp::STORE)
         .initial_layout(LAYOUT)
         .final_layout(LAYOUT)];
-    let reference = vk::AttachmentReference { attachment: 0, layout: LAYOUT };
+    let reference = vk::AttachmentReference {
+        attachment: 0,
+        layout: LAYOUT,
+    };
     let subpasses = [vk::SubpassDescription::default()
         .pipeline_bind_point(vk::PipelineBindPoint::GRAPHICS)
         .depth_stencil_attachment(&reference)];
-    let stages = vk::PipelineStageFlags::EARLY_FRAGMENT_TESTS
-        | vk::PipelineStageFlags::LATE_FRAGMENT_TESTS;
+    let stages =
+        vk::PipelineStageFlags::EARLY_FRAGMENT_TESTS | vk::PipelineStageFlags::LATE_FRAGMENT_TESTS;
     let access = vk::AccessFlags::DEPTH_STENCIL_ATTACHMENT_READ
         | vk::AccessFlags::DEPTH_STENCIL_ATTACHMENT_WRITE;
     let dependency = |source, destination| {
@@ -94,8 +105,10 @@ fn create_render_pass(raw: &ash::Device) -> Result<vk::RenderPass, vk::Result> {
             .src_access_mask(access)
             .dst_access_mask(access)
     };
-    let dependencies =
-        [dependency(vk::SUBPASS_EXTERNAL, 0), dependency(0, vk::SUBPASS_EXTERNAL)];
+    let dependencies = [
+        dependency(vk::SUBPASS_EXTERNAL, 0),
+        dependency(0, vk::SUBPASS_EXTERNAL),
+    ];
     let info = vk::RenderPassCreateInfo::default()
         .attachments(&attachments)
         .subpasses(&subpasses)
