@@ -18,4 +18,5 @@ pub mod scene;
 
 pub mod gpu;
 pub mod image;
+pub mod toml_array;
 pub mod toml_error;

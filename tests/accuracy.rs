@@ -1,5 +1,7 @@
 //! Every robust method against the ray-traced truth, at the paper's picture size.
 
+#![allow(clippy::unwrap_used, reason = "tests")]
+
 mod common;
 
 use common::device;

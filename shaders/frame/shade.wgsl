@@ -10,9 +10,9 @@
 
 const BACKGROUND = vec3<f32>(0.62, 0.70, 0.78);
 const CLAY = vec3<f32>(0.78, 0.75, 0.70);
-const SKY = vec3<f32>(0.30, 0.33, 0.38);
+const SKY = vec3<f32>(0.22, 0.25, 0.30);
 const SOIL = vec3<f32>(0.16, 0.14, 0.12);
-const SUN = vec3<f32>(0.72, 0.70, 0.64);
+const SUN = vec3<f32>(0.58, 0.56, 0.50);
 
 @fragment
 fn shade(@builtin(position) at: vec4<f32>) -> @location(0) vec4<f32> {

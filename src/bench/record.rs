@@ -135,7 +135,7 @@ pub struct SceneRecord {
     pub title: String,
     /// Triangles that cast.
     pub triangles: Option<u64>,
-    /// Objects, each its own draw call.
+    /// Objects that cast, each its own draw call.
     pub objects: Option<u64>,
     /// Hash over the mesh as drawn; empty where the scene could not be loaded.
     pub mesh_hash: String,
@@ -211,7 +211,7 @@ pub struct Sample {
     pub scene: String,
     /// Triangles that cast.
     pub triangles: u64,
-    /// Objects in the scene.
+    /// Objects that cast.
     pub objects: u64,
     /// Id of the method.
     pub method: String,
@@ -225,7 +225,7 @@ pub struct Sample {
     pub frame: u32,
     /// Where on the flight the frame lies, in seconds.
     pub time_s: f64,
-    /// Position of this frame in the order in which the run measured, from zero.
+    /// Position of this frame in the order in which its scene's frames were drawn, warm-up included.
     pub order: u64,
     /// All of the frame on the device, in milliseconds.
     pub frame_ms: f64,
@@ -265,7 +265,7 @@ pub struct Cell {
     pub scene: String,
     /// Triangles that cast, where the scene could be loaded.
     pub triangles: Option<u64>,
-    /// Objects in the scene, where it could be loaded.
+    /// Objects that cast, where the scene could be loaded.
     pub objects: Option<u64>,
     /// Id of the method.
     pub method: String,
@@ -302,7 +302,7 @@ pub struct Summary {
     pub scene: String,
     /// Triangles that cast.
     pub triangles: Option<u64>,
-    /// Objects in the scene.
+    /// Objects that cast.
     pub objects: Option<u64>,
     /// Id of the method.
     pub method: String,

@@ -50,17 +50,21 @@ pub(super) fn run_scene(
         Ok(scene) => run_loaded(request, &scene, dir),
         Err(error) => {
             request.observer.advance(request.plan.steps_per_scene());
-            Ok(not_loaded(request, plan, &error))
+            Ok(not_loaded(request, plan, error))
         }
     }
 }
 
-fn not_loaded(request: &RunRequest<'_>, plan: &ScenePlan, error: &SceneError) -> SceneOutcome {
+fn not_loaded(request: &RunRequest<'_>, plan: &ScenePlan, error: SceneError) -> SceneOutcome {
     let status = match error {
         SceneError::MissingModel { .. } => Status::Skipped,
         _ => Status::Failed,
     };
-    let reason = error.to_string();
+    // With its causes: they name the line of the model that is at fault.
+    // In one line, with its causes: a scene's own error may not say which line of its model is at
+    // fault.
+    let reason = format!("{:#}", anyhow::Error::new(error));
+    let reason = reason.split_whitespace().collect::<Vec<_>>().join(" ");
     let (width, height) = request.plan.size_px;
     let cell = |method: &dyn ShadowMethod| Cell {
         scene: plan.file.name.clone(),

@@ -73,6 +73,17 @@ impl DeviceArgs {
     }
 }
 
+/// Fails if the device cannot draw pictures of this size; `place` is where the size was given.
+fn check_size(gpu: &Gpu, (width, height): (u32, u32), place: &str) -> Result<(), ConfigError> {
+    let largest = gpu.max_texture_px();
+    if width.max(height) <= largest {
+        return Ok(());
+    }
+    Err(ConfigError(format!(
+        "{place}: this device draws at most {largest} × {largest} pixels, not {width} × {height}"
+    )))
+}
+
 impl Cli {
     /// Does what the command line says.
     ///

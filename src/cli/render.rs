@@ -1,6 +1,6 @@
 //! `svbench render SCENE --method ID`
 
-use super::{DeviceArgs, reference_cache, values};
+use super::{DeviceArgs, check_size, reference_cache, values};
 use crate::bench::Verifier;
 use crate::config::{ConfigError, find_scene};
 use crate::frame::Stage;
@@ -32,13 +32,14 @@ pub(super) struct RenderArgs {
     #[arg(long, value_name = "X,Y,Z", value_parser = values::vec3, allow_hyphen_values = true)]
     up: Option<Vec3>,
     /// Vertical field of view in degrees
-    #[arg(long, value_name = "DEG")]
+    #[arg(long, value_name = "DEG", allow_negative_numbers = true)]
     fov: Option<f32>,
     /// Distance of the near plane
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
     near: Option<f32>,
     /// Time on the scene's flight, instead of a camera
-    #[arg(long, value_name = "SECONDS", conflicts_with_all = ["eye", "target"])]
+    #[arg(long, value_name = "SECONDS", allow_negative_numbers = true)]
+    #[arg(conflicts_with_all = ["eye", "target"])]
     time: Option<f64>,
     /// The light instead of the scene's: a point, or with W = 0 the direction towards it
     #[arg(long, value_name = "X,Y,Z[,W]", value_parser = values::light, allow_hyphen_values = true)]
@@ -89,11 +90,7 @@ pub(super) fn execute(args: &RenderArgs) -> anyhow::Result<()> {
     let view = view(args, &scene)?;
     let gpu = args.device.open()?;
     let (width, height) = args.size;
-    let largest = gpu.max_texture_px();
-    if width.max(height) > largest {
-        let message = format!("--size: this device draws at most {largest} × {largest} pixels");
-        return Err(ConfigError(message).into());
-    }
+    check_size(&gpu, args.size, "--size")?;
     let info = method.info();
     info.check(&gpu).map_err(MethodError::Unavailable)?;
     let stage = Stage::new(&gpu, &scene, width, height);
@@ -148,7 +145,7 @@ pub(super) fn execute(args: &RenderArgs) -> anyhow::Result<()> {
 
 fn load_scene(args: &RenderArgs) -> anyhow::Result<Scene> {
     let path = Path::new(&args.scene);
-    let mut scene = if path
+    let scene = if path
         .extension()
         .is_some_and(|e| e.eq_ignore_ascii_case("obj"))
     {
@@ -157,10 +154,10 @@ fn load_scene(args: &RenderArgs) -> anyhow::Result<Scene> {
         let plan = find_scene(&args.scene, Path::new(""))?;
         plan.file.load(&plan.search)?
     };
-    if let Some(light) = args.light {
-        scene.light = light;
-    }
-    Ok(scene)
+    Ok(match args.light {
+        Some(light) => scene.with_light(light),
+        None => scene,
+    })
 }
 
 fn view(args: &RenderArgs, scene: &Scene) -> anyhow::Result<View> {

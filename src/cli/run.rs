@@ -1,7 +1,7 @@
 //! `svbench run CONFIG`
 
 use super::progress::Progress;
-use super::{DeviceArgs, error_map_legend, reference_cache, values};
+use super::{DeviceArgs, check_size, error_map_legend, reference_cache, values};
 use crate::bench::record::RunStatus;
 use crate::bench::{self, RunRequest};
 use crate::config::{Overrides, RunPlan};
@@ -42,6 +42,11 @@ pub(super) fn execute(args: &RunArgs) -> anyhow::Result<()> {
     };
     overrides.apply(&mut plan)?;
     let gpu = args.device.open()?;
+    let place = match args.size {
+        Some(_) => "--size".to_owned(),
+        None => format!("{}: size", plan.path),
+    };
+    check_size(&gpu, plan.size_px, &place)?;
     let out = match &args.out {
         Some(out) => out.clone(),
         None => default_out(&args.config, &gpu),
@@ -69,7 +74,11 @@ pub(super) fn execute(args: &RunArgs) -> anyhow::Result<()> {
     }
     match outcome.failed_cells() {
         0 => Ok(()),
-        failed => anyhow::bail!("{failed} cells failed, see the report"),
+        failed => anyhow::bail!(
+            "{failed} of {} cells failed; {} has the reasons",
+            outcome.summaries.len(),
+            page.display()
+        ),
     }
 }
 

@@ -1,9 +1,12 @@
 //! The run configuration's TOML.
 
-use super::{ConfigError, RunPlan, ScenePlan, find_scene};
+use super::{ConfigError, RunPlan, ScenePlan, find_scene, scene_lookup};
 use crate::methods::{self, ShadowMethod, parameters};
+use crate::scene::{SceneError, SphereGridError};
+use crate::toml_array::Exactly;
 use crate::toml_error;
 use serde::Deserialize;
+use std::io::ErrorKind;
 use std::ops::Range;
 use std::path::Path;
 use toml::Spanned;
@@ -20,7 +23,7 @@ const MOST_PIXELS: u32 = 1 << 16;
 struct Wire {
     title: String,
     #[serde(default = "default_size")]
-    size: Spanned<[u32; 2]>,
+    size: Spanned<Exactly<u32, 2>>,
     #[serde(default = "default_frames")]
     frames: Spanned<u32>,
     #[serde(default = "default_warmup")]
@@ -42,11 +45,11 @@ struct SceneWire {
     scene: Spanned<String>,
     rows: Option<u32>,
     columns: Option<u32>,
-    slices: Option<u32>,
+    slices: Option<Spanned<u32>>,
 }
 
-fn default_size() -> Spanned<[u32; 2]> {
-    Spanned::new(0..0, [1024, 768])
+fn default_size() -> Spanned<Exactly<u32, 2>> {
+    Spanned::new(0..0, Exactly([1024, 768]))
 }
 
 fn default_frames() -> Spanned<u32> {
@@ -93,10 +96,11 @@ impl RunPlan {
     pub fn read(path: &Path) -> Result<Self, ConfigError> {
         let name = path.display().to_string();
         let text = std::fs::read_to_string(path).map_err(|error| {
-            let hint = if path.is_dir() {
-                ": it is a directory, name a TOML file"
-            } else {
-                ""
+            let hint = match error.kind() {
+                _ if path.is_dir() => "; name a TOML file in it",
+                ErrorKind::NotFound => "; check the path",
+                ErrorKind::InvalidData => "; save it as UTF-8 text",
+                _ => "",
             };
             ConfigError(format!("{name}: cannot be read: {error}{hint}"))
         })?;
@@ -136,7 +140,7 @@ fn parse(text: &str, base: &Path) -> Result<RunPlan, Misplaced> {
         let message = format!("`{name}` is {value}; it must be from {least} to {most}");
         Err(Misplaced::new(what.span(), message))
     };
-    let [width, height] = *wire.size.get_ref();
+    let Exactly([width, height]) = *wire.size.get_ref();
     if let Err(message) = check_size((width, height)) {
         return Err(Misplaced::new(wire.size.span(), message));
     }
@@ -147,11 +151,7 @@ fn parse(text: &str, base: &Path) -> Result<RunPlan, Misplaced> {
         warmup_frames: in_range(&wire.warmup_frames, "warmup_frames", 0, MOST_FRAMES)?,
         verified_frames: in_range(&wire.verified_frames, "verified_frames", 0, MOST_FRAMES)?,
         seed: wire.seed,
-        scenes: wire
-            .scenes
-            .iter()
-            .map(|scene| read_scene(scene, base))
-            .collect::<Result<_, _>>()?,
+        scenes: read_scenes(&wire.scenes, base)?,
         methods,
         path: String::new(),
         text: String::new(),
@@ -166,14 +166,49 @@ fn missing(key: &str, example: &str) -> Misplaced {
     }
 }
 
+fn read_scenes(wires: &[SceneWire], base: &Path) -> Result<Vec<ScenePlan>, Misplaced> {
+    let mut scenes: Vec<ScenePlan> = Vec::new();
+    for wire in wires {
+        let scene = read_scene(wire, base)?;
+        let name = &scene.file.name;
+        if scenes.iter().any(|earlier| earlier.file.name == *name) {
+            return Err(twice(wire.scene.span(), "scene", name));
+        }
+        scenes.push(scene);
+    }
+    Ok(scenes)
+}
+
+/// Results tell cells apart by scene, method and variant.
+fn twice(span: Range<usize>, what: &str, name: &str) -> Misplaced {
+    let message = format!("the {what} `{name}` is there already; remove one of the two");
+    Misplaced::new(span, message)
+}
+
 fn read_scene(wire: &SceneWire, base: &Path) -> Result<ScenePlan, Misplaced> {
     let misplaced = |message: String| Misplaced::new(wire.scene.span(), message);
     let ScenePlan { mut file, search } =
         find_scene(wire.scene.get_ref(), base).map_err(|error| misplaced(error.0))?;
-    if wire.rows.is_some() || wire.columns.is_some() || wire.slices.is_some() {
+    let slices = wire.slices.as_ref();
+    if wire.rows.is_some() || wire.columns.is_some() || slices.is_some() {
         file = file
-            .with_sphere_grid(wire.rows, wire.columns, wire.slices)
-            .map_err(|error| misplaced(error.to_string()))?;
+            .with_sphere_grid(
+                wire.rows,
+                wire.columns,
+                slices.map(|slices| *slices.get_ref()),
+            )
+            .map_err(|error| {
+                let about_slices = matches!(
+                    error,
+                    SceneError::SphereGrid {
+                        source: SphereGridError::Slices { .. },
+                        ..
+                    }
+                );
+                let span = slices.filter(|_| about_slices).map(Spanned::span);
+                let span = span.unwrap_or(wire.scene.span());
+                Misplaced::new(span, scene_lookup::chain(&error))
+            })?;
     }
     Ok(ScenePlan { file, search })
 }
@@ -186,7 +221,7 @@ fn read_methods(
     let span = value.span();
     match value.into_inner() {
         DeValue::Array(array) if array.is_empty() => Err(missing("methods", example)),
-        DeValue::Array(array) => array_items(array).map(read_method).collect(),
+        DeValue::Array(array) => read_distinct_methods(array),
         _ => Err(Misplaced::new(
             span,
             "`methods` must be tables: `[[methods]]`",
@@ -194,8 +229,25 @@ fn read_methods(
     }
 }
 
-fn array_items(array: DeArray<'_>) -> impl Iterator<Item = Spanned<DeValue<'_>>> {
-    array.into_iter()
+fn read_distinct_methods(array: DeArray<'_>) -> Result<Vec<Box<dyn ShadowMethod>>, Misplaced> {
+    let label = |method: &dyn ShadowMethod| {
+        let label = format!("{} {}", method.info().id, method.variant());
+        label.trim_end().to_owned()
+    };
+    let mut methods: Vec<Box<dyn ShadowMethod>> = Vec::new();
+    for entry in array {
+        let span = entry.span();
+        let method = read_method(entry)?;
+        let name = label(method.as_ref());
+        if methods
+            .iter()
+            .any(|earlier| label(earlier.as_ref()) == name)
+        {
+            return Err(twice(span, "method", &name));
+        }
+        methods.push(method);
+    }
+    Ok(methods)
 }
 
 fn read_method(entry: Spanned<DeValue<'_>>) -> Result<Box<dyn ShadowMethod>, Misplaced> {

@@ -226,8 +226,8 @@ pub fn list_devices() -> Vec<DeviceSummary> {
 fn adapters(validation: bool) -> Vec<wgpu::Adapter> {
     messages::install();
     let flags = if validation {
-        // Not DEBUG: it writes the source language into SPIR-V, which older layers do not know.
-        wgpu::InstanceFlags::VALIDATION
+        // DEBUG as well: only with it do the layers' messages come to the logger.
+        wgpu::InstanceFlags::VALIDATION | wgpu::InstanceFlags::DEBUG
     } else {
         wgpu::InstanceFlags::empty()
     };

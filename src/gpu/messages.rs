@@ -5,6 +5,12 @@
 
 use std::sync::{Mutex, Once, PoisonError};
 
+/// Parts of messages that are the layers' fault and not ours, with the reason.
+const NOT_OURS: &[(&str, &str)] = &[(
+    "Invalid source language operand: 10",
+    "layers of version 1.3.239 (Debian 12) do not know WGSL as the source language of SPIR-V",
+)];
+
 struct Messages;
 
 static INSTALL: Once = Once::new();
@@ -38,6 +44,11 @@ impl log::Log for Messages {
             return;
         }
         let text = record.args().to_string();
+        // What follows a message on lines of its own: the objects and labels that it is about.
+        let is_detail = text.starts_with('\t');
+        if is_detail || NOT_OURS.iter().any(|(part, _reason)| text.contains(part)) {
+            return;
+        }
         eprintln!("{}: {text}", record.level().as_str().to_lowercase());
         // The messenger's record starts with the message type and the id: `VALIDATION [VUID-...`.
         if record.target().contains("vulkan::instance") && text.starts_with("VALIDATION") {

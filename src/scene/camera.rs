@@ -261,6 +261,10 @@ impl CameraPath {
             if !in_order || !key.time_s.is_finite() {
                 return Err(at_key(Some(i))(CameraError::KeyTimes));
             }
+            // The views below also depend on the neighbours of a key, and would blame one of them.
+            if !key.eye.is_finite() || !key.target.is_finite() {
+                return Err(at_key(Some(i))(CameraError::NotFinite));
+            }
             earliest_s = key.time_s;
         }
         for (i, key) in self.keys.iter().enumerate() {

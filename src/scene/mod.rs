@@ -44,15 +44,20 @@ impl Scene {
     /// Puts a scene together and hashes its mesh.
     pub fn new(name: String, title: String, mesh: Mesh, light: Vec4, camera: CameraPath) -> Self {
         let mesh_hash = mesh.hash();
-        let light = mesh::canonical(light.truncate()).extend(light.w);
         Self {
             name,
             title,
             mesh,
-            light,
+            light: canonical_light(light),
             camera,
             mesh_hash,
         }
+    }
+
+    /// The same scene under another light.
+    pub fn with_light(self, light: Vec4) -> Self {
+        let light = canonical_light(light);
+        Self { light, ..self }
     }
 
     /// A bare model, seen whole and at an angle, lit from above.
@@ -76,4 +81,8 @@ impl Scene {
             camera,
         ))
     }
+}
+
+fn canonical_light(light: Vec4) -> Vec4 {
+    mesh::canonical(light.truncate()).extend(light.w)
 }

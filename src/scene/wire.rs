@@ -11,6 +11,7 @@ use super::camera::{CameraError, CameraKey, CameraPath};
 use super::file::{Expect, MeshSource, SceneFile};
 use super::obj::Up;
 use super::sphere_grid::SphereGrid;
+use crate::toml_array::Exactly;
 
 /// Something that cannot be, and the part of the text that says it.
 pub(super) struct Misplaced {
@@ -136,13 +137,13 @@ fn refuse(
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct LightWire {
-    position: Spanned<[f32; 3]>,
+    position: Spanned<Exactly<f32, 3>>,
     w: Option<Spanned<f32>>,
 }
 
 impl LightWire {
     fn check(self) -> Result<Vec4, Misplaced> {
-        let position = Vec3::from_array(*self.position.get_ref());
+        let position = Vec3::from_array(self.position.get_ref().0);
         let w = self.w.as_ref().map_or(1.0, |w| *w.get_ref());
         if let Some(spanned) = self.w.as_ref().filter(|_| w != 0.0 && w != 1.0) {
             return Err(misplaced(
@@ -169,7 +170,7 @@ struct CameraWire {
     fov_deg: Spanned<f32>,
     near: Spanned<f32>,
     #[serde(default)]
-    up: Option<Spanned<[f32; 3]>>,
+    up: Option<Spanned<Exactly<f32, 3>>>,
     keys: Spanned<Vec<Spanned<KeyWire>>>,
 }
 
@@ -177,8 +178,8 @@ struct CameraWire {
 #[serde(deny_unknown_fields)]
 struct KeyWire {
     time_s: f64,
-    eye: [f32; 3],
-    target: [f32; 3],
+    eye: Exactly<f32, 3>,
+    target: Exactly<f32, 3>,
 }
 
 impl CameraWire {
@@ -191,8 +192,8 @@ impl CameraWire {
             } = key.get_ref();
             CameraKey {
                 time_s,
-                eye: Vec3::from_array(eye),
-                target: Vec3::from_array(target),
+                eye: Vec3::from_array(eye.0),
+                target: Vec3::from_array(target.0),
             }
         };
         let path = CameraPath {
@@ -200,7 +201,7 @@ impl CameraWire {
             up: self
                 .up
                 .as_ref()
-                .map_or(Vec3::Y, |up| Vec3::from_array(*up.get_ref())),
+                .map_or(Vec3::Y, |up| Vec3::from_array(up.get_ref().0)),
             fov_y_rad: self.fov_deg.get_ref().to_radians(),
             near: *self.near.get_ref(),
         };

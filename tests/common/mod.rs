@@ -1,8 +1,10 @@
 //! What all tests on a device share.
 #![allow(dead_code, reason = "each test program uses its own part")]
 
+use glam::{Vec3, Vec4};
 use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
 use svbench::gpu::{Gpu, GpuOptions, messages};
+use svbench::scene::{CameraKey, CameraPath, Mesh, Object, Scene, View};
 
 static DEVICE: LazyLock<Mutex<Gpu>> = LazyLock::new(|| {
     let adapter = std::env::var("SVBENCH_TEST_ADAPTER").ok();
@@ -16,10 +18,10 @@ static DEVICE: LazyLock<Mutex<Gpu>> = LazyLock::new(|| {
 });
 
 /// The device, for one test at a time; dropping it fails the test if the validation layers spoke.
-pub struct Device(MutexGuard<'static, Gpu>);
+pub(crate) struct Device(MutexGuard<'static, Gpu>);
 
 /// Waits for the device.
-pub fn device() -> Device {
+pub(crate) fn device() -> Device {
     let guard = DEVICE.lock().unwrap_or_else(PoisonError::into_inner);
     messages::take_validation_messages();
     Device(guard)
@@ -41,4 +43,57 @@ impl Drop for Device {
             assert!(messages.is_empty(), "validation layers: {messages:#?}");
         }
     }
+}
+
+/// A scene made of triangles that all cast, in one object, over a ground that only receives.
+pub(crate) fn scene_over_ground(
+    triangles: &[[Vec3; 3]],
+    ground_y: f32,
+    light: Vec4,
+    view: &View,
+) -> Scene {
+    let mut mesh = Mesh::default();
+    let mut add = |name: &str, triangles: &[[Vec3; 3]], casts_shadow| {
+        let first = (mesh.positions.len() as u32, mesh.triangles.len() as u32);
+        let start = mesh.positions.len();
+        for triangle in triangles {
+            let index = triangle.map(|corner| {
+                let known = mesh.positions[start..].iter().position(|p| *p == corner);
+                known.map_or_else(
+                    || {
+                        mesh.positions.push(corner);
+                        mesh.positions.len() as u32 - 1
+                    },
+                    |found| (start + found) as u32,
+                )
+            });
+            mesh.triangles.push(index);
+        }
+        mesh.objects.push(Object {
+            name: name.to_owned(),
+            vertices: first.0..mesh.positions.len() as u32,
+            triangles: first.1..mesh.triangles.len() as u32,
+            casts_shadow,
+        });
+    };
+    add("casters", triangles, true);
+    let corner = |x: f32, z: f32| Vec3::new(40.0 * x, ground_y, 40.0 * z);
+    let (a, b, c, d) = (
+        corner(-1.0, -1.0),
+        corner(-1.0, 1.0),
+        corner(1.0, -1.0),
+        corner(1.0, 1.0),
+    );
+    add("ground", &[[a, b, c], [c, b, d]], false);
+    let camera = CameraPath {
+        keys: vec![CameraKey {
+            time_s: 0.0,
+            eye: view.eye,
+            target: view.target,
+        }],
+        up: view.up,
+        fov_y_rad: view.fov_y_rad,
+        near: view.near,
+    };
+    Scene::new("test".to_owned(), "test".to_owned(), mesh, light, camera)
 }

@@ -7,6 +7,10 @@
 layout(points) in;
 layout(triangle_strip, max_vertices = 4 * MAX_MULTIPLICITY) out;
 layout(location = 0) flat in uint number[];
+// The position alone: every component of every vertex counts against the device's limit.
+out gl_PerVertex {
+    vec4 gl_Position;
+};
 
 void main() {
     uvec4 edge = edges[number[0]];

@@ -1,0 +1,7 @@
+//! Shaders and scenes are part of the program: build it again when one is added or changed.
+
+fn main() {
+    println!("cargo::rerun-if-changed=shaders");
+    println!("cargo::rerun-if-changed=scenes");
+    println!("cargo::rerun-if-changed=build.rs");
+}

@@ -1,0 +1,12 @@
+#!/usr/bin/env bash
+# Sets up what is missing and runs the whole test suite; options go to cargo test.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+. scripts/setup.sh
+
+need_compiler
+cargo build --release --locked
+need_device target/release/svbench
+need_validation_layers
+# In release: the tests trace rays and rasterise in software.
+exec cargo test --release --locked "$@"

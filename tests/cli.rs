@@ -1,0 +1,303 @@
+//! The program as its users run it.
+#![allow(clippy::unwrap_used, reason = "tests")]
+
+use std::path::Path;
+use std::process::{Command, Output};
+
+const CONFIG: &str = r#"
+title = "Test"
+size = [64, 48]
+frames = 3
+warmup_frames = 1
+verified_frames = 2
+seed = 7
+[[scenes]]
+scene = "sphere_grid"
+slices = 8
+[[methods]]
+id = "silhouette_ts"
+[[methods]]
+id = "silhouette_gs"
+[[methods]]
+id = "shadow_map"
+resolution = 256
+"#;
+
+fn svbench(args: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_svbench"));
+    command.args(args).env("SVBENCH_CACHE", "");
+    command
+}
+
+fn succeed(args: &[&str]) -> Output {
+    let output = svbench(args).output().unwrap();
+    let errors = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{args:?}: {errors}");
+    output
+}
+
+fn json(args: &[&str]) -> serde_json::Value {
+    serde_json::from_slice(&succeed(args).stdout).unwrap()
+}
+
+fn rows(path: &Path) -> Vec<std::collections::HashMap<String, String>> {
+    csv::Reader::from_path(path)
+        .unwrap()
+        .deserialize()
+        .map(Result::unwrap)
+        .collect()
+}
+
+/// A configuration and the run directory that does not exist yet.
+fn workplace(config: &str) -> (tempfile::TempDir, String, String) {
+    let dir = tempfile::tempdir().unwrap();
+    let path = |name: &str| dir.path().join(name).to_string_lossy().into_owned();
+    std::fs::write(path("config.toml"), config).unwrap();
+    let (config, out) = (path("config.toml"), path("run"));
+    (dir, config, out)
+}
+
+#[test]
+fn a_run_leaves_everything_that_the_contract_names() {
+    let (_dir, config, out) = workplace(CONFIG);
+    succeed(&["run", &config, "--out", &out, "--validation"]);
+    let out = Path::new(&out);
+    let header = std::fs::read_to_string(out.join("summary.csv")).unwrap();
+    assert!(header.starts_with(
+        "scene,triangles,objects,method,variant,width,height,frames,fps,frame_ms_median,\
+         shadow_ms_median,shadow_ms_p95,gbuffer_ms_median,false_lit,false_shadowed,artifact_px,\
+         ambiguous_px,status,reason"
+    ));
+    let summary = rows(&out.join("summary.csv"));
+    assert_eq!(summary.len(), 3);
+    let samples = rows(&out.join("samples.csv"));
+    assert_eq!(samples.len(), 9);
+    for row in &summary {
+        assert_eq!(
+            (&*row["scene"], &*row["triangles"], &*row["objects"]),
+            ("sphere_grid_n8", "6400", "100")
+        );
+        assert_eq!((&*row["status"], &*row["frames"]), ("ok", "3"), "{row:?}");
+        // The figures of a cell are those of its samples.
+        let own = samples.iter().filter(|s| s["method"] == row["method"]);
+        let mut frame_ms: Vec<f64> = own.map(|s| s["frame_ms"].parse().unwrap()).collect();
+        frame_ms.sort_by(f64::total_cmp);
+        let fps = 3000.0 / frame_ms.iter().sum::<f64>();
+        let close =
+            |name: &str, value: f64| (row[name].parse::<f64>().unwrap() / value - 1.0).abs() < 1e-9;
+        assert!(
+            close("frame_ms_median", frame_ms[1]) && close("fps", fps),
+            "{row:?}"
+        );
+        let shadow: f64 = row["shadow_ms_median"].parse().unwrap();
+        assert!(shadow > 0.0 && shadow < frame_ms[2], "{row:?}");
+    }
+    // At each camera position every method once, in an order that changes.
+    let order: Vec<(&str, &str)> = samples
+        .iter()
+        .map(|s| (&*s["frame"], &*s["method"]))
+        .collect();
+    for (round, methods) in order.chunks(3).enumerate() {
+        assert!(
+            methods.iter().all(|(frame, _)| *frame == round.to_string()),
+            "{order:?}"
+        );
+        let mut names: Vec<_> = methods.iter().map(|(_, method)| method).collect();
+        names.sort();
+        assert_eq!(names, [&"shadow_map", &"silhouette_gs", &"silhouette_ts"]);
+    }
+    let info: serde_json::Value =
+        serde_json::from_slice(&std::fs::read(out.join("run.json")).unwrap()).unwrap();
+    assert_eq!(info["status"], "complete");
+    assert_eq!(info["config_text"], CONFIG);
+    assert_eq!(info["scenes"][0]["edges"]["manifold"], 9600);
+    let page = std::fs::read_to_string(out.join("report.html")).unwrap();
+    assert!(
+        !page.contains("src=\"http") && !page.contains("href=\"http"),
+        "self-contained"
+    );
+    assert_eq!(
+        page.matches("data:image/png").count(),
+        1 + 3 * 3,
+        "a gallery of every method"
+    );
+    assert!(out.join("plots").read_dir().unwrap().count() >= 2);
+}
+
+#[test]
+fn only_size_and_frames_override_the_configuration() {
+    let (_dir, config, out) = workplace(CONFIG);
+    let only = ["--only", "shadow_map", "--size", "32x16", "--frames", "2"];
+    succeed(&[&["run", &config, "--out", &out], &only[..]].concat());
+    let summary = rows(&Path::new(&out).join("summary.csv"));
+    let row = &summary[0];
+    assert_eq!(summary.len(), 1);
+    assert_eq!(
+        (
+            &*row["variant"],
+            &*row["width"],
+            &*row["height"],
+            &*row["frames"]
+        ),
+        ("resolution=256", "32", "16", "2")
+    );
+}
+
+#[test]
+fn the_report_can_be_made_again() {
+    let (_dir, config, out) = workplace(CONFIG);
+    succeed(&["run", &config, "--out", &out]);
+    let page = Path::new(&out).join("report.html");
+    let before = std::fs::read_to_string(&page).unwrap();
+    std::fs::remove_file(&page).unwrap();
+    succeed(&["report", &out]);
+    assert_eq!(std::fs::read_to_string(&page).unwrap(), before);
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupted_run_keeps_what_it_has() {
+    let (_dir, config, out) = workplace(&CONFIG.replace("frames = 3", "frames = 100000"));
+    let mut child = svbench(&["run", &config, "--out", &out])
+        .stderr(std::process::Stdio::null())
+        .spawn()
+        .unwrap();
+    let samples = Path::new(&out).join("samples.csv");
+    let some = || std::fs::read_to_string(&samples).is_ok_and(|text| text.lines().count() > 4);
+    while !some() {
+        assert!(child.try_wait().unwrap().is_none(), "ended too early");
+        std::thread::sleep(std::time::Duration::from_millis(50));
+    }
+    Command::new("kill")
+        .args(["-INT", &child.id().to_string()])
+        .status()
+        .unwrap();
+    assert_eq!(child.wait().unwrap().code(), Some(1));
+    let out = Path::new(&out);
+    let info: serde_json::Value =
+        serde_json::from_slice(&std::fs::read(out.join("run.json")).unwrap()).unwrap();
+    assert_eq!(info["status"], "interrupted");
+    let measured: usize = rows(&out.join("summary.csv"))
+        .iter()
+        .map(|row| row["frames"].parse::<usize>().unwrap())
+        .sum();
+    assert_eq!(measured, rows(&samples).len());
+    assert!(measured >= 4 && out.join("report.html").is_file());
+}
+
+#[test]
+fn render_writes_pictures_and_counts() {
+    let dir = tempfile::tempdir().unwrap();
+    let path = |name: &str| dir.path().join(name).to_string_lossy().into_owned();
+    let (picture, mask, reference, error) =
+        (path("p.png"), path("m.png"), path("r.png"), path("e.png"));
+    let counts = json(&[
+        "render",
+        "sphere_grid",
+        "--method",
+        "silhouette_gs",
+        "--size",
+        "80x60",
+        "--time",
+        "3.5",
+        "--out",
+        &picture,
+        "--mask",
+        &mask,
+        "--reference",
+        &reference,
+        "--error",
+        &error,
+        "--json",
+    ]);
+    let read = |path: &str| {
+        let decoder =
+            png::Decoder::new(std::io::BufReader::new(std::fs::File::open(path).unwrap()));
+        let mut reader = decoder.read_info().unwrap();
+        let mut bytes = vec![0; reader.output_buffer_size().unwrap()];
+        let info = reader.next_frame(&mut bytes).unwrap();
+        assert_eq!((info.width, info.height), (80, 60));
+        (info.color_type, bytes)
+    };
+    let (kind, mask) = read(&mask);
+    assert_eq!(kind, png::ColorType::Grayscale);
+    assert!(mask.iter().all(|m| [0, 255].contains(m)) && mask.contains(&255));
+    let (_, reference) = read(&reference);
+    let differ = mask
+        .iter()
+        .zip(&reference)
+        .filter(|(m, r)| **r != 128 && m != r)
+        .count() as u64;
+    let errors = &counts["errors"];
+    let wrong = errors["false_lit"].as_u64().unwrap() + errors["false_shadowed"].as_u64().unwrap();
+    assert_eq!(differ, wrong);
+    assert_eq!(errors["artifact_px"], 0);
+    assert!(counts["stages_ms"]["volumes"].as_f64().unwrap() > 0.0);
+    assert_eq!(read(&error).0, png::ColorType::Rgb);
+    assert_eq!(read(&picture).0, png::ColorType::Rgba);
+}
+
+#[test]
+fn render_takes_a_bare_model_a_camera_and_a_light() {
+    let dir = tempfile::tempdir().unwrap();
+    let model = dir.path().join("two.obj");
+    // A small triangle over a large one.
+    std::fs::write(
+        &model,
+        "v -9 0 -9\nv 0 0 9\nv 9 0 -9\nv -1 2 -1\nv 0 2 1\nv 1 2 -1\nf 1 2 3\nf 4 5 6\n",
+    )
+    .unwrap();
+    let camera = [
+        "--eye", "-1,6,7", "--target", "0,0,0", "--up", "0,1,0", "--fov", "45", "--near", "0.5",
+    ];
+    for light in ["0,9,0", "0,1,0,0"] {
+        let args = [
+            "render",
+            model.to_str().unwrap(),
+            "--method",
+            "silhouette_ts",
+            "--light",
+            light,
+            "--size",
+            "64x64",
+            "--json",
+        ];
+        let counts = json(&[&args, &camera[..]].concat());
+        assert_eq!(counts["triangles"], 2);
+        assert_eq!(counts["errors"]["artifact_px"], 0, "light {light}");
+    }
+}
+
+#[test]
+fn lists_say_what_can_run_here() {
+    let all = json(&["list", "--json"]);
+    let ids: Vec<_> = all["methods"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|m| m["id"].as_str().unwrap())
+        .collect();
+    assert_eq!(ids, ["silhouette_ts", "silhouette_gs", "shadow_map"]);
+    for method in all["methods"].as_array().unwrap() {
+        assert_eq!(method["available"], true, "{method}");
+        assert!(!method["limits"].as_array().unwrap().is_empty());
+    }
+    assert!(
+        all["scenes"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .any(|s| s["name"] == "sponza" && s["triangles"] == 262_267)
+    );
+    assert!(!all["devices"].as_array().unwrap().is_empty());
+    let text = String::from_utf8(succeed(&["list", "methods"]).stdout).unwrap();
+    for word in [
+        "silhouette_ts",
+        "needs: tessellation shaders",
+        "limit:",
+        "parameter: resolution = 8192",
+        "available",
+    ] {
+        assert!(text.contains(word), "{word}");
+    }
+}
