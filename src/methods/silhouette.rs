@@ -227,7 +227,7 @@ mod tests {
                 opposite_count: 1,
             }],
             opposites: vec![0],
-            object_edges: vec![0..1],
+            object_edges: std::iter::once(0..1).collect(),
         };
         let ends = |positions: [Vec3; 2]| {
             let edge = EdgeRecords::new(&positions, &topology, 8).edges[0];
