@@ -82,11 +82,12 @@ pub fn pipeline(
     })
 }
 
-/// A pass that clears `view` to 0 and draws into it.
+/// A pass that draws into `view`, over what is there or (`LoadOp::Clear`) from a plain colour.
 pub fn pass<'a>(
     encoder: &'a mut wgpu::CommandEncoder,
     label: &str,
     view: &wgpu::TextureView,
+    load: wgpu::LoadOp<wgpu::Color>,
     depth_stencil: Option<&wgpu::TextureView>,
 ) -> wgpu::RenderPass<'a> {
     encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
@@ -96,7 +97,7 @@ pub fn pass<'a>(
             depth_slice: None,
             resolve_target: None,
             ops: wgpu::Operations {
-                load: wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT),
+                load,
                 store: wgpu::StoreOp::Store,
             },
         })],

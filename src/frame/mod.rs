@@ -1,9 +1,10 @@
 //! What all methods share: the scene on the device, the frame's targets, and the stages before and
 //! after the method's own.
 //!
-//! A frame is `gbuffer` (depth and triangle ids), the method's stages (ending in the shadow mask)
-//! and `shade` (the lit picture). The depth buffer is reversed: 1 at the near plane, 0 at infinity.
+//! A frame is `gbuffer` (depth, triangle ids, and a mask of what faces away from the light), the
+//! method's stages (which add its shadows to the mask) and `shade` (the lit picture). The depth buffer is reversed: 1 at the near plane, 0 at infinity.
 
+mod dark_sides;
 pub mod fullscreen;
 mod gbuffer;
 mod resolve;
@@ -12,6 +13,7 @@ mod shade;
 pub mod targets;
 mod uniform;
 
+pub use dark_sides::DarkSides;
 pub use gbuffer::GBuffer;
 pub use resolve::{RESOLVE_STAGE, StencilResolve};
 pub use scene::SceneBuffers;
@@ -37,6 +39,7 @@ pub struct Stage {
     /// View and light of the frame.
     pub uniform: FrameUniform,
     gbuffer: GBuffer,
+    dark_sides: DarkSides,
     shade: Shade,
 }
 
@@ -47,12 +50,14 @@ impl Stage {
         let targets = Targets::new(gpu, width, height);
         let uniform = FrameUniform::new(gpu);
         let gbuffer = GBuffer::new(gpu, &uniform);
+        let dark_sides = DarkSides::new(gpu, &uniform, &buffers, &targets);
         let shade = Shade::new(gpu, &uniform, &buffers, &targets);
         Self {
             scene: buffers,
             targets,
             uniform,
             gbuffer,
+            dark_sides,
             shade,
         }
     }
@@ -65,21 +70,24 @@ impl Stage {
 
     /// Records a whole frame with `method`.
     pub fn record(&self, frame: &mut FrameRecorder<'_>, method: &dyn PreparedMethod) {
-        frame.stage(GBUFFER_STAGE, |encoder| {
-            self.gbuffer
-                .record(encoder, &self.uniform, &self.scene, &self.targets);
-        });
+        self.record_gbuffer(frame);
         method.record(frame, self);
         frame.stage(SHADE_STAGE, |encoder| {
             self.shade.record(encoder, &self.uniform, &self.targets);
         });
     }
 
-    /// Records the G-buffer alone, for whoever reads the triangle ids.
+    /// Records the first stage alone, for whoever reads the triangle ids.
     pub fn record_gbuffer(&self, frame: &mut FrameRecorder<'_>) {
+        let Self {
+            uniform,
+            scene,
+            targets,
+            ..
+        } = self;
         frame.stage(GBUFFER_STAGE, |encoder| {
-            self.gbuffer
-                .record(encoder, &self.uniform, &self.scene, &self.targets);
+            self.gbuffer.record(encoder, uniform, scene, targets);
+            self.dark_sides.record(encoder, uniform, scene, targets);
         });
     }
 }

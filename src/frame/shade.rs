@@ -63,7 +63,13 @@ impl Shade {
         uniform: &FrameUniform,
         targets: &Targets,
     ) {
-        let mut pass = fullscreen::pass(encoder, "shade", &targets.colour_view, None);
+        let mut pass = fullscreen::pass(
+            encoder,
+            "shade",
+            &targets.colour_view,
+            wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT),
+            None,
+        );
         pass.set_pipeline(&self.pipeline);
         pass.set_bind_group(0, &uniform.bind_group, &[]);
         pass.set_bind_group(1, &self.geometry, &[]);

@@ -119,7 +119,7 @@ pub trait ShadowMethod {
 
 /// A method ready to draw frames of one scene.
 pub trait PreparedMethod {
-    /// Records its stages between G-buffer and shading; they end in the shadow mask.
+    /// Records its stages between G-buffer and shading; they add its shadows to the mask.
     fn record(&self, frame: &mut FrameRecorder<'_>, stage: &Stage);
 
     /// What a reader of its results should know about this scene.

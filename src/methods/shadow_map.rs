@@ -102,7 +102,6 @@ struct PreparedMap {
     map_pipeline: wgpu::RenderPipeline,
     map_bindings: wgpu::BindGroup,
     lookup_pipeline: wgpu::RenderPipeline,
-    geometry: wgpu::BindGroup,
     inputs: wgpu::BindGroup,
     covered: f64,
 }
@@ -148,7 +147,6 @@ impl PreparedMap {
             device,
             "shadow map inputs",
             &[
-                texture_binding(wgpu::TextureSampleType::Uint),
                 texture_binding(wgpu::TextureSampleType::Depth),
                 texture_binding(wgpu::TextureSampleType::Depth),
                 uniform,
@@ -158,7 +156,6 @@ impl PreparedMap {
             device,
             &inputs_layout,
             &[
-                wgpu::BindingResource::TextureView(&stage.targets.triangle_ids_view),
                 wgpu::BindingResource::TextureView(&stage.targets.depth_only_view),
                 wgpu::BindingResource::TextureView(&map_view),
                 light.as_entire_binding(),
@@ -166,11 +163,7 @@ impl PreparedMap {
         );
         let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
             label: Some("shadow map lookup"),
-            bind_group_layouts: &[
-                Some(&stage.uniform.layout),
-                Some(&stage.scene.layout),
-                Some(&inputs_layout),
-            ],
+            bind_group_layouts: &[Some(&stage.uniform.layout), Some(&inputs_layout)],
             ..Default::default()
         });
         let module = shader::wgsl(device, "methods/shadow_map/lookup.wgsl");
@@ -181,7 +174,6 @@ impl PreparedMap {
             map_pipeline,
             map_bindings,
             lookup_pipeline,
-            geometry: stage.scene.bind_group.clone(),
             inputs,
             covered: frustum.covered,
         }
@@ -241,11 +233,11 @@ impl PreparedMethod for PreparedMap {
         });
         frame.stage("lookup", |encoder| {
             let mask = &stage.targets.mask_view;
-            let mut pass = fullscreen::pass(encoder, "shadow map lookup", mask, None);
+            let mut pass =
+                fullscreen::pass(encoder, "shadow map lookup", mask, wgpu::LoadOp::Load, None);
             pass.set_pipeline(&self.lookup_pipeline);
             pass.set_bind_group(0, &stage.uniform.bind_group, &[]);
-            pass.set_bind_group(1, &self.geometry, &[]);
-            pass.set_bind_group(2, &self.inputs, &[]);
+            pass.set_bind_group(1, &self.inputs, &[]);
             pass.draw(0..3, 0..1);
         });
     }

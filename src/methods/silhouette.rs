@@ -104,7 +104,7 @@ impl SilhouetteVolumes {
             // the last bit of depth. What the near plane cuts off is clipped and does not count. The
             // back cap is at infinity, behind everything.
             caps: pipeline(caps, Raster::CountAll)?,
-            resolve: StencilResolve::new(gpu, stage),
+            resolve: StencilResolve::new(gpu),
             bindings,
             target,
             side_draws: edges.objects,
@@ -126,7 +126,7 @@ impl PreparedMethod for SilhouetteVolumes {
                 }
             }
         });
-        self.resolve.record(frame, stage);
+        self.resolve.record(frame, &stage.targets);
     }
 }
 
