@@ -7,8 +7,9 @@ cd "$(dirname "$0")/.."
 . scripts/setup.sh
 
 need_compiler
+program=${CARGO_TARGET_DIR:-target}/release/svbench
 cargo build --release --locked
-need_device target/release/svbench
+need_device "$program"
 config=${1:-configs/quick.toml}
 [ $# -gt 0 ] && shift
-exec target/release/svbench run "$config" "$@"
+exec "$program" run "$config" "$@"
