@@ -13,12 +13,6 @@ pub struct StageSupport {
     pub geometry: bool,
     /// Storage buffers may be written in the stages before the rasteriser (used by tests only).
     pub vertex_stores: bool,
-    /// Largest tessellation level, 64 at least where there is tessellation.
-    pub max_tessellation_level: u32,
-    /// Most vertices that one geometry shader invocation may emit.
-    pub max_geometry_vertices: u32,
-    /// Most components, over all vertices, that one geometry shader invocation may emit.
-    pub max_geometry_components: u32,
 }
 
 /// A device with its queue.
@@ -40,19 +34,11 @@ pub fn support(adapter: &wgpu::Adapter) -> StageSupport {
     let instance = hal.shared_instance().raw_instance();
     let physical = hal.raw_physical_device();
     // SAFETY: `physical` belongs to `instance`, and both outlive `hal`.
-    let (features, limits) = unsafe {
-        (
-            instance.get_physical_device_features(physical),
-            instance.get_physical_device_properties(physical).limits,
-        )
-    };
+    let features = unsafe { instance.get_physical_device_features(physical) };
     StageSupport {
         tessellation: features.tessellation_shader == vk::TRUE,
         geometry: features.geometry_shader == vk::TRUE,
         vertex_stores: features.vertex_pipeline_stores_and_atomics == vk::TRUE,
-        max_tessellation_level: limits.max_tessellation_generation_level,
-        max_geometry_vertices: limits.max_geometry_output_vertices,
-        max_geometry_components: limits.max_geometry_total_output_components,
     }
 }
 
