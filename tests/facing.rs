@@ -191,7 +191,7 @@ fn native(gpu: &Gpu, buffers: &Buffers, shaders: &[&str], topology: PrimitiveTop
         ..Default::default()
     }));
     gpu.queue.submit([encoder.finish()]);
-    let work = NativePass::record(&gpu.device, &target, &bindings, |pass| {
+    let (work, _) = NativePass::record(&gpu.device, &target, &bindings, |pass| {
         pass.set_pipeline(&pipeline);
         pass.draw(0..CASES as u32);
     });

@@ -144,6 +144,7 @@ fn provenance(request: &RunRequest<'_>) -> RunInfo {
         shader_hash: shader::hash(),
         config_path: plan.path.clone(),
         config_text: plan.text.clone(),
+        scale: plan.scale.clone(),
         warnings: Vec::new(),
     }
 }

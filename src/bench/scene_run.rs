@@ -189,6 +189,7 @@ fn prepare<'a>(
             variant: method.variant(),
             width: request.plan.size_px.0,
             height: request.plan.size_px.1,
+            counters: String::new(),
         },
         state,
         errors: ErrorSums::default(),
@@ -339,6 +340,8 @@ fn sample(cell: &Cell, measured: &Measured) -> Sample {
         shadow_ms: measured.shadow_ms(),
         shade_ms: times.stage_ms(SHADE_STAGE),
         cpu_ms: times.cpu_ms,
+        record_ms: times.record_ms,
+        draw_calls: times.draw_calls,
         stages: stages_to_text(own),
     }
 }

@@ -79,6 +79,8 @@ struct Output<'a> {
     errors: MaskError,
     frame_ms: f64,
     cpu_ms: f64,
+    record_ms: f64,
+    draw_calls: u32,
     stages_ms: serde_json::Map<String, serde_json::Value>,
     warnings: Vec<String>,
 }
@@ -132,6 +134,8 @@ pub(super) fn execute(args: &RenderArgs) -> anyhow::Result<()> {
         errors: judgement.error,
         frame_ms: times.frame_ms(),
         cpu_ms: times.cpu_ms,
+        record_ms: times.record_ms,
+        draw_calls: times.draw_calls,
         stages_ms: stages(&times),
         warnings: prepared.warnings(),
     };

@@ -45,6 +45,8 @@ pub struct RunPlan {
     pub path: String,
     /// Its text.
     pub text: String,
+    /// The scale that was chosen; empty for the full one.
+    pub scale: String,
 }
 
 impl RunPlan {

@@ -155,6 +155,7 @@ fn parse(text: &str, base: &Path) -> Result<RunPlan, Misplaced> {
         methods,
         path: String::new(),
         text: String::new(),
+        scale: String::new(),
     })
 }
 

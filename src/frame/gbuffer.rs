@@ -59,7 +59,7 @@ impl GBuffer {
         uniform: &FrameUniform,
         scene: &SceneBuffers,
         targets: &Targets,
-    ) {
+    ) -> u32 {
         let stencil = targets.depth.format().has_stencil_aspect();
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("gbuffer"),
@@ -87,6 +87,6 @@ impl GBuffer {
         });
         pass.set_pipeline(&self.pipeline);
         pass.set_bind_group(0, &uniform.bind_group, &[]);
-        scene.draw(&mut pass, &scene.objects);
+        scene.draw(&mut pass, &scene.objects)
     }
 }

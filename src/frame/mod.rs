@@ -74,6 +74,7 @@ impl Stage {
         method.record(frame, self);
         frame.stage(SHADE_STAGE, |encoder| {
             self.shade.record(encoder, &self.uniform, &self.targets);
+            1
         });
     }
 
@@ -86,8 +87,9 @@ impl Stage {
             ..
         } = self;
         frame.stage(GBUFFER_STAGE, |encoder| {
-            self.gbuffer.record(encoder, uniform, scene, targets);
+            let draw_calls = self.gbuffer.record(encoder, uniform, scene, targets);
             self.dark_sides.record(encoder, uniform, scene, targets);
+            draw_calls + 1
         });
     }
 }

@@ -62,6 +62,7 @@ impl StencilResolve {
             pass.set_pipeline(&self.pipeline);
             pass.set_stencil_reference(0);
             pass.draw(0..3, 0..1);
+            1
         });
     }
 }

@@ -85,13 +85,15 @@ impl SceneBuffers {
         }
     }
 
-    /// Draws `objects`, one call each; the instance number is the object's first triangle.
-    pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>, objects: &[Range<u32>]) {
+    /// Draws `objects`, one call each; the instance number is the object's first triangle. Gives the
+    /// number of draw calls.
+    pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>, objects: &[Range<u32>]) -> u32 {
         pass.set_vertex_buffer(0, self.positions.slice(..));
         pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint32);
         for triangles in objects {
             let first = triangles.start;
             pass.draw_indexed(3 * first..3 * triangles.end, 0, first..first + 1);
         }
+        objects.len() as u32
     }
 }

@@ -3,6 +3,7 @@
 use super::Gpu;
 use super::native::{Bindings, NativePass, Target};
 use super::timer::{MAX_STAGES, Slot};
+use std::time::Instant;
 
 /// Records the stages of one frame in order.
 ///
@@ -15,6 +16,19 @@ pub struct FrameRecorder<'a> {
     finished: Vec<wgpu::CommandBuffer>,
     slot: Option<&'a Slot>,
     stages: Vec<&'static str>,
+    draw_calls: u32,
+}
+
+/// A frame on its way to the device.
+pub(super) struct Submitted {
+    /// Names of its stages.
+    pub(super) stages: Vec<&'static str>,
+    /// What to wait for.
+    pub(super) submission: wgpu::SubmissionIndex,
+    /// How many draw calls it has.
+    pub(super) draw_calls: u32,
+    /// When the last command was recorded.
+    pub(super) recorded: Instant,
 }
 
 impl<'a> FrameRecorder<'a> {
@@ -29,6 +43,7 @@ impl<'a> FrameRecorder<'a> {
             finished: Vec::new(),
             slot,
             stages: Vec::new(),
+            draw_calls: 0,
         }
     }
 
@@ -37,9 +52,13 @@ impl<'a> FrameRecorder<'a> {
         Self::new(gpu, None)
     }
 
-    /// A stage of wgpu commands.
-    pub fn stage(&mut self, name: &'static str, record: impl FnOnce(&mut wgpu::CommandEncoder)) {
-        record(&mut self.encoder);
+    /// A stage of wgpu commands; `record` gives the number of its draw calls.
+    pub fn stage(
+        &mut self,
+        name: &'static str,
+        record: impl FnOnce(&mut wgpu::CommandEncoder) -> u32,
+    ) {
+        self.draw_calls += record(&mut self.encoder);
         self.end_stage(name);
     }
 
@@ -62,8 +81,9 @@ impl<'a> FrameRecorder<'a> {
         );
         let before = std::mem::replace(&mut self.encoder, new_encoder(self.gpu));
         self.finished.push(before.finish());
-        self.finished
-            .push(NativePass::record(&self.gpu.device, target, bindings, draw));
+        let (commands, draw_calls) = NativePass::record(&self.gpu.device, target, bindings, draw);
+        self.finished.push(commands);
+        self.draw_calls += draw_calls;
         self.end_stage(name);
     }
 
@@ -79,14 +99,23 @@ impl<'a> FrameRecorder<'a> {
         }
     }
 
-    /// Submits the frame; returns the names of its stages and what to wait for.
-    pub fn submit(mut self) -> (Vec<&'static str>, wgpu::SubmissionIndex) {
+    /// Submits the frame, for whoever needs to know nothing of it.
+    pub fn submit(self) {
+        self.submit_timed();
+    }
+
+    pub(super) fn submit_timed(mut self) -> Submitted {
         if let Some(slot) = self.slot {
             slot.resolve(&mut self.encoder, self.stages.len());
         }
         self.finished.push(self.encoder.finish());
-        let submission = self.gpu.queue.submit(self.finished);
-        (self.stages, submission)
+        let recorded = Instant::now();
+        Submitted {
+            stages: self.stages,
+            submission: self.gpu.queue.submit(self.finished),
+            draw_calls: self.draw_calls,
+            recorded,
+        }
     }
 }
 

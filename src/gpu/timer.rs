@@ -1,5 +1,6 @@
 //! GPU times of a frame's stages, read back frames later so that measuring never stalls.
 
+use super::recorder::Submitted;
 use super::{FrameRecorder, Gpu};
 use std::collections::VecDeque;
 use std::sync::mpsc::Receiver;
@@ -20,8 +21,12 @@ const QUERY_BYTES: u64 = QUERIES as u64 * wgpu::QUERY_SIZE as u64;
 pub struct StageTimes {
     /// `(stage, milliseconds)` in the order of execution.
     pub stages: Vec<(&'static str, f64)>,
+    /// What recording the frame's commands took of the CPU, in milliseconds.
+    pub record_ms: f64,
     /// What recording and submitting took of the CPU, in milliseconds.
     pub cpu_ms: f64,
+    /// Draw calls of the frame.
+    pub draw_calls: u32,
 }
 
 impl StageTimes {
@@ -83,8 +88,8 @@ impl Slot {
 struct Pending<T> {
     tag: T,
     slot: Slot,
-    stages: Vec<&'static str>,
-    submission: wgpu::SubmissionIndex,
+    frame: Submitted,
+    record_ms: f64,
     cpu_ms: f64,
     mapped: Receiver<Result<(), wgpu::BufferAsyncError>>,
 }
@@ -130,8 +135,9 @@ impl<T> FrameTimer<T> {
         let begin = Instant::now();
         let mut recorder = FrameRecorder::new(gpu, Some(&slot));
         record(&mut recorder);
-        let (stages, submission) = recorder.submit();
+        let frame = recorder.submit_timed();
         let cpu_ms = begin.elapsed().as_secs_f64() * 1e3;
+        let record_ms = (frame.recorded - begin).as_secs_f64() * 1e3;
         let (sender, mapped) = std::sync::mpsc::channel();
         slot.readable
             .map_async(wgpu::MapMode::Read, .., move |result| {
@@ -141,8 +147,8 @@ impl<T> FrameTimer<T> {
         self.pending.push_back(Pending {
             tag,
             slot,
-            stages,
-            submission,
+            frame,
+            record_ms,
             cpu_ms,
             mapped,
         });
@@ -167,8 +173,8 @@ impl<T> FrameTimer<T> {
         let Some(Pending {
             tag,
             slot,
-            stages,
-            submission,
+            frame,
+            record_ms,
             cpu_ms,
             mapped,
         }) = self.pending.pop_front()
@@ -177,7 +183,7 @@ impl<T> FrameTimer<T> {
         };
         // Only for this frame: those submitted after it keep the device busy.
         gpu.device.poll(wgpu::PollType::Wait {
-            submission_index: Some(submission),
+            submission_index: Some(frame.submission),
             timeout: None,
         })?;
         mapped.recv()??;
@@ -187,7 +193,13 @@ impl<T> FrameTimer<T> {
         };
         slot.readable.unmap();
         let ms = |pair: &[u64]| pair[1].saturating_sub(pair[0]) as f64 * self.period_ns / 1e6;
-        let stages = stages.into_iter().zip(ticks.windows(2).map(ms)).collect();
-        Ok((slot, (tag, StageTimes { stages, cpu_ms })))
+        let named = frame.stages.into_iter().zip(ticks.windows(2).map(ms));
+        let times = StageTimes {
+            stages: named.collect(),
+            record_ms,
+            cpu_ms,
+            draw_calls: frame.draw_calls,
+        };
+        Ok((slot, (tag, times)))
     }
 }

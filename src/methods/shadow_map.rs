@@ -229,7 +229,7 @@ impl PreparedMethod for PreparedMap {
             });
             pass.set_pipeline(&self.map_pipeline);
             pass.set_bind_group(0, &self.map_bindings, &[]);
-            stage.scene.draw(&mut pass, &stage.scene.casters);
+            stage.scene.draw(&mut pass, &stage.scene.casters)
         });
         frame.stage("lookup", |encoder| {
             let mask = &stage.targets.mask_view;
@@ -239,6 +239,7 @@ impl PreparedMethod for PreparedMap {
             pass.set_bind_group(0, &stage.uniform.bind_group, &[]);
             pass.set_bind_group(1, &self.inputs, &[]);
             pass.draw(0..3, 0..1);
+            1
         });
     }
 

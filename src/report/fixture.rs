@@ -64,6 +64,7 @@ pub(super) fn info(scenes: &[&str], methods: &[&str]) -> RunInfo {
         shader_hash: "feed".to_owned(),
         config_path: "made_up.toml".to_owned(),
         config_text: "seed = 7".to_owned(),
+        scale: String::new(),
         warnings: Vec::new(),
     }
 }
@@ -77,6 +78,7 @@ pub(super) fn cell(info: &RunInfo, scene: &str, method: &str, triangles: u64) ->
         variant: String::new(),
         width: info.width,
         height: info.height,
+        counters: String::new(),
     }
 }
 
@@ -95,6 +97,8 @@ pub(super) fn samples(cell: &Cell, shadow_ms: f64) -> Vec<Sample> {
         shadow_ms: shadow_ms + f64::from(frame) / 128.0,
         shade_ms: 0.25,
         cpu_ms: 0.125,
+        record_ms: 0.0625,
+        draw_calls: 12,
         stages: "volumes=1.5;resolve=0.25".to_owned(),
         ..Sample::default()
     };

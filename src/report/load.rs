@@ -195,6 +195,7 @@ fn unsummed(samples: &[Sample], summaries: &[Summary]) -> Vec<Summary> {
             variant: sample.variant.clone(),
             width: sample.width,
             height: sample.height,
+            ..Cell::default()
         };
         let blank = Summary::from_samples(&cell, &[], None, Status::Unverified, "");
         let own: Vec<Sample> = samples

@@ -10,11 +10,13 @@ use wgpu::hal::api::Vulkan;
 pub struct NativePass<'a> {
     raw: ash::Device,
     commands: vk::CommandBuffer,
+    draw_calls: u32,
     _bound: &'a Bindings,
 }
 
 impl NativePass<'_> {
-    /// Records a whole pass into a command buffer of its own; submit it between wgpu's.
+    /// Records a whole pass into a command buffer of its own, to be submitted between wgpu's; gives
+    /// also the number of its draw calls.
     ///
     /// `target`'s texture must be in wgpu's state `DEPTH_STENCIL_WRITE` when it runs, which
     /// [`super::super::FrameRecorder::native_stage`] takes care of.
@@ -26,13 +28,14 @@ impl NativePass<'_> {
         target: &Target,
         bindings: &Bindings,
         draw: impl FnOnce(&mut NativePass<'_>),
-    ) -> wgpu::CommandBuffer {
+    ) -> (wgpu::CommandBuffer, u32) {
         let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor {
             label: Some("native"),
         });
         let Ok(raw) = super::raw_device(device) else {
             unreachable!("a native target exists only on Vulkan")
         };
+        let mut draw_calls = 0;
         // SAFETY: only native commands go into this encoder, and the pass is ended again. Target,
         // bindings and pipelines wait for the device before they destroy anything, so all handles
         // stay valid until the commands have run.
@@ -62,13 +65,15 @@ impl NativePass<'_> {
                 let mut pass = NativePass {
                     raw,
                     commands,
+                    draw_calls: 0,
                     _bound: bindings,
                 };
                 draw(&mut pass);
                 pass.raw.cmd_end_render_pass(commands);
+                draw_calls = pass.draw_calls;
             });
         }
-        encoder.finish()
+        (encoder.finish(), draw_calls)
     }
 
     /// Draws with `pipeline` from now on.
@@ -88,6 +93,7 @@ impl NativePass<'_> {
         if vertices.is_empty() {
             return;
         }
+        self.draw_calls += 1;
         // SAFETY: the pass is under way with a pipeline and its bindings bound.
         unsafe {
             self.raw.cmd_draw(

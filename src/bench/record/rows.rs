@@ -1,208 +1,9 @@
-//! What a run leaves behind: the rows and files of a **run directory**.
-//!
-//! The runner writes these and the report reads them, so their names, columns and units are decided
-//! here and nowhere else. All of a run can be read back from its directory; the report needs no
-//! device, no scene and no model.
-//!
-//! | file | holds |
-//! |---|---|
-//! | `run.json` | [`RunInfo`]: where the numbers come from |
-//! | `samples.csv` | a [`Sample`] per measured frame |
-//! | `summary.csv` | a [`Summary`] per cell |
-//! | `images/` | pictures, named by [`image_name`] |
+//! The rows of `samples.csv` and `summary.csv`.
 
 use serde::{Deserialize, Serialize};
 
-use super::statistics::{mean, median, p95};
-
-/// Version of the run directory's layout; raised when an older reader would misread a newer run.
-pub const FORMAT: u32 = 1;
-/// Name of the file that holds [`RunInfo`].
-pub const RUN_FILE: &str = "run.json";
-/// Name of the file that holds a [`Sample`] per measured frame.
-pub const SAMPLES_FILE: &str = "samples.csv";
-/// Name of the file that holds a [`Summary`] per cell.
-pub const SUMMARY_FILE: &str = "summary.csv";
-/// Name of the folder that holds the pictures.
-pub const IMAGES_DIR: &str = "images";
-
-/// Where a run's numbers come from (`run.json`).
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct RunInfo {
-    /// Layout of the run directory, [`FORMAT`] when written by this version.
-    pub format: u32,
-    /// How far the run came.
-    pub status: RunStatus,
-    /// What the run is about, from the configuration.
-    pub title: String,
-    /// Version of the program that measured.
-    pub program_version: String,
-    /// Git revision of the program that measured; empty when not built from a checkout.
-    pub program_git: String,
-    /// When the run began, in RFC 3339.
-    pub started: String,
-    /// The command line, program name first.
-    pub command: Vec<String>,
-    /// The device measured.
-    pub device: DeviceRecord,
-    /// The machine around the device.
-    pub host: HostRecord,
-    /// Seed of everything random in the run, the order of its cells above all.
-    pub seed: u64,
-    /// Width of the rendered picture in pixels.
-    pub width: u32,
-    /// Height of the rendered picture in pixels.
-    pub height: u32,
-    /// Frames measured in each cell.
-    pub frames: u32,
-    /// Frames rendered in each cell before measuring.
-    pub warmup_frames: u32,
-    /// Frames of each cell compared with the reference.
-    pub verified_frames: u32,
-    /// The scenes asked for, also those that could not be loaded.
-    pub scenes: Vec<SceneRecord>,
-    /// The methods asked for, also those that the device cannot run.
-    pub methods: Vec<MethodRecord>,
-    /// Hash over every shader source.
-    pub shader_hash: String,
-    /// The configuration file, as named on the command line.
-    pub config_path: String,
-    /// The configuration, word for word.
-    pub config_text: String,
-    /// What the reader should know before trusting a number.
-    pub warnings: Vec<String>,
-}
-
-/// How far a run came.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum RunStatus {
-    /// Still measuring, or killed before it could say otherwise.
-    Running,
-    /// Every cell has its row.
-    Complete,
-    /// Stopped by its user.
-    Interrupted,
-    /// Stopped by an error.
-    Failed,
-}
-
-/// The device measured and its driver.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-pub struct DeviceRecord {
-    /// Name, as the driver gives it.
-    pub name: String,
-    /// PCI vendor.
-    pub vendor_id: u32,
-    /// Kind of device: `discrete_gpu`, `integrated_gpu`, `virtual_gpu`, `cpu` or `other`.
-    pub device_type: String,
-    /// Name of the driver.
-    pub driver: String,
-    /// Version of the driver.
-    pub driver_info: String,
-    /// Graphics API.
-    pub backend: String,
-    /// Whether it has tessellation stages.
-    pub tessellation: bool,
-    /// Whether it has a geometry stage.
-    pub geometry: bool,
-}
-
-impl DeviceRecord {
-    /// Whether the "device" is a rasterizer in software, whose times say nothing about GPUs.
-    pub fn is_software(&self) -> bool {
-        self.device_type.eq_ignore_ascii_case("cpu")
-    }
-}
-
-/// The machine around the device.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-pub struct HostRecord {
-    /// Operating system.
-    pub os: String,
-    /// Architecture of the processor.
-    pub arch: String,
-    /// Logical processors.
-    pub cores: u32,
-}
-
-/// A scene of the run. Counts are `None` where the scene could not be loaded.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct SceneRecord {
-    /// Name, as in the result rows.
-    pub name: String,
-    /// Name for people.
-    pub title: String,
-    /// Triangles that cast.
-    pub triangles: Option<u64>,
-    /// Objects that cast, each its own draw call.
-    pub objects: Option<u64>,
-    /// Hash over the mesh as drawn; empty where the scene could not be loaded.
-    pub mesh_hash: String,
-    /// Position of the light, or the direction towards it.
-    pub light: [f32; 3],
-    /// Fourth coordinate of the light: 1 at a position, 0 at infinity.
-    pub light_w: f32,
-    /// How the edges of the mesh are shared.
-    pub edges: Option<EdgeRecord>,
-    /// Whether the scene was measured.
-    pub status: Status,
-    /// Why not, where it was not.
-    pub reason: String,
-}
-
-/// Edges of a mesh, by the number of triangles that share them.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub struct EdgeRecord {
-    /// Edges of one triangle.
-    pub boundary: u64,
-    /// Edges between two triangles.
-    pub manifold: u64,
-    /// Edges between more than two triangles.
-    pub non_manifold: u64,
-}
-
-/// A method of the run, in one variant.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-pub struct MethodRecord {
-    /// Id, as in the result rows.
-    pub id: String,
-    /// Parameters that tell it from its siblings; empty where there is nothing to tell.
-    pub variant: String,
-    /// Name for people.
-    pub title: String,
-    /// Names of the stages timed, in the order in which they run.
-    pub stages: Vec<String>,
-}
-
-/// What became of a cell or a scene.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Status {
-    /// Measured, and compared with the reference.
-    Ok,
-    /// Not measured, on purpose or for want of a file.
-    Skipped,
-    /// The device cannot run it.
-    Unavailable,
-    /// It began and broke.
-    Failed,
-    /// Measured, but not compared with the reference.
-    Unverified,
-}
-
-impl Status {
-    /// The word used in the result rows.
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Ok => "ok",
-            Self::Skipped => "skipped",
-            Self::Unavailable => "unavailable",
-            Self::Failed => "failed",
-            Self::Unverified => "unverified",
-        }
-    }
-}
+use super::Status;
+use crate::bench::statistics::{mean, median, p95};
 
 /// One measured frame: a row of `samples.csv`.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
@@ -237,6 +38,12 @@ pub struct Sample {
     pub shade_ms: f64,
     /// Recording and submitting, on the processor.
     pub cpu_ms: f64,
+    /// Recording alone; 0 in runs from before it was measured.
+    #[serde(default)]
+    pub record_ms: f64,
+    /// Draw calls of the frame; 0 in runs from before they were counted.
+    #[serde(default)]
+    pub draw_calls: u32,
     /// The method's stages in milliseconds, as [`stages_to_text`] writes them.
     pub stages: String,
 }
@@ -275,6 +82,8 @@ pub struct Cell {
     pub width: u32,
     /// Height of the picture in pixels.
     pub height: u32,
+    /// What the method counted while it was prepared: `edges=48600;split_edges=0`.
+    pub counters: String,
 }
 
 /// Pixels found wrong against the reference, summed over a cell's verified frames.
@@ -346,6 +155,15 @@ pub struct Summary {
     pub cpu_ms_median: Option<f64>,
     /// Mean of the frame time.
     pub frame_ms_mean: Option<f64>,
+    /// Median of the time for recording a frame on the processor.
+    #[serde(default)]
+    pub record_ms_median: Option<f64>,
+    /// Most draw calls of any measured frame.
+    #[serde(default)]
+    pub draw_calls: Option<u32>,
+    /// See [`Cell::counters`].
+    #[serde(default)]
+    pub counters: String,
 }
 
 impl Summary {
@@ -386,53 +204,10 @@ impl Summary {
             frame_ms_p95: p95(&frame_ms),
             cpu_ms_median: median(&column(|s| s.cpu_ms)),
             frame_ms_mean: mean(&frame_ms),
+            record_ms_median: median(&column(|s| s.record_ms)),
+            draw_calls: samples.iter().map(|s| s.draw_calls).max(),
+            counters: cell.counters.clone(),
         }
-    }
-}
-
-/// What a picture in `images/` shows.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum ImageKind {
-    /// The lit picture.
-    Picture,
-    /// The method's shadow mask.
-    Mask,
-    /// The mask compared with the reference.
-    Error,
-    /// The reference mask, one per scene; method and variant are not part of its name.
-    Reference,
-}
-
-/// The file name of a picture in `images/`: `sponza__silhouette_ts__reference_edge_mask.png`.
-///
-/// Anything but ASCII letters, digits, `_`, `-` and inner dots becomes `-`, so that a name from a
-/// configuration can neither leave the folder nor trip a file system.
-pub fn image_name(scene: &str, method: &str, variant: &str, kind: ImageKind) -> String {
-    let (scene, method, variant) = (file_safe(scene), file_safe(method), file_safe(variant));
-    let suffix = match kind {
-        ImageKind::Picture => "picture",
-        ImageKind::Mask => "mask",
-        ImageKind::Error => "error",
-        ImageKind::Reference => return format!("{scene}__reference.png"),
-    };
-    if variant.is_empty() {
-        format!("{scene}__{method}_{suffix}.png")
-    } else {
-        format!("{scene}__{method}__{variant}_{suffix}.png")
-    }
-}
-
-/// `text` with every character that is not safe in a file name replaced by `-`.
-pub fn file_safe(text: &str) -> String {
-    let safe = |c: char| c.is_ascii_alphanumeric() || matches!(c, '_' | '-' | '.');
-    let name: String = text
-        .chars()
-        .map(|c| if safe(c) { c } else { '-' })
-        .collect();
-    if name.starts_with('.') {
-        name.replacen('.', "-", 1)
-    } else {
-        name
     }
 }
 
@@ -492,36 +267,15 @@ mod tests {
             "scene,triangles,objects,method,variant,width,height,frames,fps,frame_ms_median,\
              shadow_ms_median,shadow_ms_p95,gbuffer_ms_median,false_lit,false_shadowed,\
              artifact_px,ambiguous_px,status,reason,boundary_px,verified_frames,frame_ms_p95,\
-             cpu_ms_median,frame_ms_mean"
+             cpu_ms_median,frame_ms_mean,record_ms_median,draw_calls,counters"
         );
-        assert_eq!(row, ",,,,,0,0,0,,,,,,,,,,unavailable,no stage,,0,,,");
+        assert_eq!(row, ",,,,,0,0,0,,,,,,,,,,unavailable,no stage,,0,,,,,,");
         let back: Summary = csv::Reader::from_reader(text.as_bytes())
             .deserialize()
             .next()
             .unwrap()
             .unwrap();
         assert_eq!(back, summary);
-    }
-
-    #[test]
-    fn image_names_are_safe_and_tell_cells_apart() {
-        use ImageKind::{Error, Mask, Reference};
-        assert_eq!(
-            image_name("sponza", "ray_query", "", Mask),
-            "sponza__ray_query_mask.png"
-        );
-        assert_eq!(
-            image_name("sponza", "shadow_map", "resolution=8192", Error),
-            "sponza__shadow_map__resolution-8192_error.png"
-        );
-        assert_eq!(
-            image_name("sponza", "any", "any", Reference),
-            "sponza__reference.png"
-        );
-        assert_eq!(
-            image_name("../../a<b>", "", "", Reference),
-            "-.-..-a-b-__reference.png"
-        );
     }
 
     #[test]
