@@ -9,7 +9,7 @@ use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use svbench::geometry::facing;
 use svbench::gpu::native::{
-    BindingKind, Bindings, NativePass, Pipeline, PipelineDesc, PrimitiveTopology, Raster, Target,
+    BindingKind, Bindings, NativePass, Pipeline, PipelineDesc, PrimitiveTopology, Raster, VertexInput, Target,
 };
 use svbench::gpu::{Gpu, readback, shader};
 use svbench::scene::mesh::canonical;
@@ -169,10 +169,11 @@ fn native(gpu: &Gpu, buffers: &Buffers, shaders: &[&str], topology: PrimitiveTop
         ],
     )
     .unwrap();
-    let paths = std::iter::once(&"methods/silhouette/index.vert").chain(shaders);
+    let paths = std::iter::once(&"methods/volumes/index.vert").chain(shaders);
     let stages: Vec<_> = paths.map(|path| shader::glsl(path, &[])).collect();
     let desc = PipelineDesc {
         stages: &stages,
+        input: VertexInput::Numbers,
         topology,
         raster: Raster::Discard,
     };
@@ -268,7 +269,7 @@ fn every_language_and_stage_decides_alike() {
         (
             "tessellation",
             &["tests/facing.tesc", "tests/facing.tese"],
-            PrimitiveTopology::Patches,
+            PrimitiveTopology::Patches(1),
         ),
     ];
     for (name, shaders, topology) in stages {

@@ -1,4 +1,4 @@
-// From world to clip space, at a vertex and at infinity away from the light.
+// From world to clip space, at a vertex and at the far end of its shadow.
 //
 // All faces of all shadow volumes must meet without gaps, also where one pipeline draws one and
 // another the other. So every face gets its corners from these two functions, `precise`: the same
@@ -17,9 +17,21 @@ vec4 clip_near(vec3 p) {
     return to_clip(vec4(p, 1.0));
 }
 
-// The point at infinity where the ray from the light through the vertex ends. Its clip z is 0
-// exactly, on the far plane: row z of the matrix is (0, 0, 0, near).
+// Where the ray from the light through the vertex ends: on the end plane (geometry/end_plane.rs), or
+// with REACH_INFINITY, or without an end plane, at infinity. There clip z is 0 exactly, on the far
+// plane: row z of the matrix is (0, 0, 0, near).
 vec4 clip_far(vec3 p) {
+#ifdef REACH_INFINITY
     precise vec3 direction = p * frame.light.w - frame.light.xyz;
     return to_clip(vec4(direction, 0.0));
+#else
+    precise vec3 light_terms = frame.end_plane.xyz * frame.light.xyz;
+    precise float of_light = light_terms.x + light_terms.y + light_terms.z + frame.end_plane.w * frame.light.w;
+    precise vec3 terms = frame.end_plane.xyz * p;
+    precise float of_p = terms.x + terms.y + terms.z + frame.end_plane.w;
+    precise vec4 left = vec4(p, 1.0) * of_light;
+    precise vec4 right = frame.light * of_p;
+    precise vec4 end = left - right;
+    return to_clip(end);
+#endif
 }

@@ -9,6 +9,8 @@ struct Frame {
     eye: vec4<f32>,
     // width, height in pixels; distance of the near plane; unused.
     picture: vec4<f32>,
+    // The plane on which shadow volumes may end, see geometry/end_plane.rs.
+    end_plane: vec4<f32>,
 }
 
 @group(0) @binding(0) var<uniform> frame: Frame;

@@ -3,7 +3,7 @@
 use super::measure::{Measured, Schedule, measure};
 use super::record::{
     Cell, EdgeRecord, ErrorSums, ImageKind, MethodRecord, Sample, SceneRecord, Status, Summary,
-    stages_to_text,
+    counters_to_text, stages_to_text,
 };
 use super::run_dir::RunDir;
 use super::{RunRequest, Verifier};
@@ -189,7 +189,10 @@ fn prepare<'a>(
             variant: method.variant(),
             width: request.plan.size_px.0,
             height: request.plan.size_px.1,
-            counters: String::new(),
+            counters: match &state {
+                State::Ready(prepared) => counters_to_text(&prepared.counters()),
+                State::Not(..) => String::new(),
+            },
         },
         state,
         errors: ErrorSums::default(),

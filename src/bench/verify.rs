@@ -1,6 +1,6 @@
 //! Checking a method's mask against the ray-traced truth, in frames that nobody times.
 
-use crate::frame::Stage;
+use crate::frame::{FrameView, Stage};
 use crate::gpu::{FrameRecorder, Gpu, readback};
 use crate::methods::PreparedMethod;
 use crate::metrics::{MaskComparison, MaskError};
@@ -72,7 +72,9 @@ impl<'a> Verifier<'a> {
     /// # Errors
     /// When the device is lost, or the view is no perspective.
     pub fn truth(&self, view: &View) -> anyhow::Result<Truth> {
-        let view_projection = self.stage.set_view(self.gpu, view, self.light);
+        let FrameView {
+            view_projection, ..
+        } = self.stage.set_view(self.gpu, view, self.light);
         let mut frame = FrameRecorder::untimed(self.gpu);
         self.stage.record_gbuffer(&mut frame);
         frame.submit();

@@ -12,6 +12,7 @@ mod scene;
 mod shade;
 pub mod targets;
 mod uniform;
+mod view;
 
 pub use dark_sides::DarkSides;
 pub use gbuffer::GBuffer;
@@ -20,10 +21,12 @@ pub use scene::SceneBuffers;
 pub use shade::Shade;
 pub use targets::Targets;
 pub use uniform::FrameUniform;
+pub use view::{FrameView, SceneExtents};
 
 use crate::gpu::{FrameRecorder, Gpu};
 use crate::methods::PreparedMethod;
 use crate::scene::{Scene, View};
+use std::cell::Cell;
 
 /// Name of the first stage of every frame.
 pub const GBUFFER_STAGE: &str = "gbuffer";
@@ -38,6 +41,9 @@ pub struct Stage {
     pub targets: Targets,
     /// View and light of the frame.
     pub uniform: FrameUniform,
+    /// How far the scene reaches.
+    pub extents: SceneExtents,
+    view: Cell<Option<FrameView>>,
     gbuffer: GBuffer,
     dark_sides: DarkSides,
     shade: Shade,
@@ -56,16 +62,33 @@ impl Stage {
             scene: buffers,
             targets,
             uniform,
+            extents: SceneExtents::new(&scene.mesh),
+            view: Cell::new(None),
             gbuffer,
             dark_sides,
             shade,
         }
     }
 
-    /// Sets view and light of the frames recorded from now on. Returns the matrix in use.
-    pub fn set_view(&self, gpu: &Gpu, view: &View, light: glam::Vec4) -> glam::Mat4 {
-        self.uniform
-            .write(gpu, view, light, (self.targets.width, self.targets.height))
+    /// Sets view and light of the frames recorded from now on.
+    pub fn set_view(&self, gpu: &Gpu, view: &View, light: glam::Vec4) -> FrameView {
+        let size_px = (self.targets.width, self.targets.height);
+        let view = self
+            .uniform
+            .write(gpu, view, light, &self.extents, size_px);
+        self.view.set(Some(view));
+        view
+    }
+
+    /// The view that was set last.
+    ///
+    /// # Panics
+    /// When none was set: there is no frame to record then.
+    pub fn view(&self) -> FrameView {
+        let Some(view) = self.view.get() else {
+            panic!("a frame is recorded before its view was set")
+        };
+        view
     }
 
     /// Records a whole frame with `method`.

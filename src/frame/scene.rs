@@ -6,9 +6,6 @@ use crate::scene::Mesh;
 use std::ops::Range;
 use wgpu::util::DeviceExt;
 
-/// Bytes from one vertex to the next: xyz and a 1, so that storage buffers can read `vec4`.
-const VERTEX_STRIDE: u64 = 16;
-
 /// Vertex and element buffers of all objects, and which part belongs to which.
 pub struct SceneBuffers {
     /// `vec4` a vertex: xyz, 1. Usable as vertex and as storage buffer.
@@ -26,6 +23,9 @@ pub struct SceneBuffers {
 }
 
 impl SceneBuffers {
+    /// Bytes from one vertex to the next: xyz and a 1, so that storage buffers can read `vec4`.
+    pub const VERTEX_STRIDE: u64 = 16;
+
     /// Uploads `mesh`.
     pub fn new(gpu: &Gpu, mesh: &Mesh) -> Self {
         let positions: Vec<_> = mesh.positions.iter().map(|p| p.extend(1.0)).collect();
@@ -75,7 +75,7 @@ impl SceneBuffers {
     /// Layout of the positions as a vertex buffer, at shader location 0.
     pub fn vertex_layout() -> wgpu::VertexBufferLayout<'static> {
         wgpu::VertexBufferLayout {
-            array_stride: VERTEX_STRIDE,
+            array_stride: Self::VERTEX_STRIDE,
             step_mode: wgpu::VertexStepMode::Vertex,
             attributes: &[wgpu::VertexAttribute {
                 format: wgpu::VertexFormat::Float32x3,

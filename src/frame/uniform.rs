@@ -2,6 +2,7 @@
 
 use crate::gpu::Gpu;
 use crate::scene::View;
+use super::view::{FrameView, SceneExtents};
 use bytemuck::{Pod, Zeroable};
 use glam::{DMat4, Mat4, Vec3, Vec4};
 
@@ -14,6 +15,7 @@ struct FrameData {
     light: Vec4,
     eye: Vec4,
     picture: Vec4,
+    end_plane: Vec4,
 }
 
 /// The uniform buffer of a frame, bound as group 0 in wgpu's passes.
@@ -65,21 +67,31 @@ impl FrameUniform {
         }
     }
 
-    /// Writes view, light and picture size for what is submitted from now on, and returns the
-    /// world-to-clip matrix that the device uses, to the bit.
-    pub(super) fn write(&self, gpu: &Gpu, view: &View, light: Vec4, size_px: (u32, u32)) -> Mat4 {
+    /// Writes view, light and picture size for what is submitted from now on, and returns what the
+    /// processor needs to know of it.
+    pub(super) fn write(
+        &self,
+        gpu: &Gpu,
+        view: &View,
+        light: Vec4,
+        extents: &SceneExtents,
+        size_px: (u32, u32),
+    ) -> FrameView {
         let (width, height) = (size_px.0 as f32, size_px.1 as f32);
         let view_projection = view.view_projection(width / height);
+        let clip_to_eye_ray = clip_to_eye_ray(view_projection, view);
+        let frame_view = FrameView::new(view, view_projection, clip_to_eye_ray, light, extents);
         let data = FrameData {
             view_projection,
-            clip_to_eye_ray: clip_to_eye_ray(view_projection, view),
+            clip_to_eye_ray,
             light,
             eye: view.eye.extend(1.0),
             picture: Vec4::new(width, height, view.near, 0.0),
+            end_plane: frame_view.end_plane,
         };
         gpu.queue
             .write_buffer(&self.buffer, 0, bytemuck::bytes_of(&data));
-        view_projection
+        frame_view
     }
 }
 

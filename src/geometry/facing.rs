@@ -15,6 +15,40 @@
 //! rounding: `precise` sees to it in GLSL, the rule of the language in Rust.
 
 use glam::{Vec3, Vec4};
+use serde::{Deserialize, Serialize};
+
+/// How the edges of a triangle come to agree on its facing. The numbers are those of `DETERMINISM`
+/// in `shaders/shared/facing.glsl`.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Determinism {
+    /// All use the light plane through the triangle's reference edge (Milet et al. 2014).
+    #[default]
+    ReferenceEdge = 0,
+    /// All ask all three light planes, and where these disagree the triangle has no facing (Pečiva
+    /// et al. 2013).
+    ConsistentTriangle = 1,
+    /// They do not: each asks the light plane through itself (Kim et al. 2008). Fails on triangles
+    /// that are nearly edge-on to the light.
+    None = 2,
+}
+
+impl Determinism {
+    /// The facing of a triangle as a whole, as caps take it: see [`facing`].
+    pub fn facing(self, a: Vec3, b: Vec3, c: Vec3, light: Vec4) -> i32 {
+        match self {
+            Self::ReferenceEdge => facing(a, b, c, light),
+            Self::ConsistentTriangle => by_sorting([a, b, c], light, consistent_facing),
+            Self::None => -light_plane_side(a, b, c, light),
+        }
+    }
+
+    /// The facing of a triangle as its edge from `a` to `b` takes it, `a` before `b` in the vertex
+    /// order.
+    pub fn facing_of_edge(self, a: Vec3, b: Vec3, opposite: Vec3, light: Vec4) -> i32 {
+        self.facing(a, b, opposite, light)
+    }
+}
 
 /// The facing of the triangle `a`, `b`, `c`: +1 if the light lies on the side from which the
 /// triangle looks counter-clockwise, -1 on the other side, 0 if it lies in the plane of the
@@ -23,7 +57,15 @@ use glam::{Vec3, Vec4};
 /// `light` is homogeneous: `w` = 1 for a position, 0 for the direction towards the light.
 /// Cyclic rotation of the vertices keeps the answer and a swap negates it, without exception.
 pub fn facing(a: Vec3, b: Vec3, c: Vec3, light: Vec4) -> i32 {
-    let (mut a, mut b, mut c) = (a, b, c);
+    by_sorting([a, b, c], light, reference_facing)
+}
+
+/// What `of_sorted` says of the vertices in the vertex order, with the sign of the given order.
+fn by_sorting(
+    [mut a, mut b, mut c]: [Vec3; 3],
+    light: Vec4,
+    of_sorted: fn(Vec3, Vec3, Vec3, Vec4) -> i32,
+) -> i32 {
     let mut swapped = false;
     if vertex_less(b, a) {
         (a, b, swapped) = (b, a, !swapped);
@@ -34,16 +76,36 @@ pub fn facing(a: Vec3, b: Vec3, c: Vec3, light: Vec4) -> i32 {
     if vertex_less(b, a) {
         (a, b, swapped) = (b, a, !swapped);
     }
-    let sorted = reference_facing(a, b, c, light);
+    // Rounding could give such a triangle a side, and the sort has no parity to go with it.
+    if a == b || b == c {
+        return 0;
+    }
+    let sorted = of_sorted(a, b, c, light);
     if swapped { -sorted } else { sorted }
 }
 
 /// The facing of a triangle whose vertices are in the vertex order.
 fn reference_facing(a: Vec3, b: Vec3, c: Vec3, light: Vec4) -> i32 {
-    // Rounding could give such a triangle a side, and the sort has no parity to go with it.
-    if a == b || b == c {
-        return 0;
+    light_plane_side(a, c, b, light)
+}
+
+/// The facing of a triangle whose vertices are in the vertex order, if the light planes through all
+/// three edges agree on it, else 0.
+fn consistent_facing(a: Vec3, b: Vec3, c: Vec3, light: Vec4) -> i32 {
+    let facings = [
+        light_plane_side(a, c, b, light),
+        -light_plane_side(a, b, c, light),
+        -light_plane_side(b, c, a, light),
+    ];
+    if facings == [facings[0]; 3] {
+        facings[0]
+    } else {
+        0
     }
+}
+
+/// On which side of the light plane through `a` and `c` the point `b` lies: the facing of a, b, c.
+fn light_plane_side(a: Vec3, c: Vec3, b: Vec3, light: Vec4) -> i32 {
     // (x × y) · e = ((b - a) × (c - a)) · (light - a): positive where a, b, c look
     // counter-clockwise.
     let x = c - a;

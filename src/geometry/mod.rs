@@ -1,8 +1,14 @@
-//! What is derived from a mesh and does not change from frame to frame, and which side of a
-//! triangle the light is on.
+//! What is derived from a mesh, a light and an eye: topology, facing, and how far shadow volumes need
+//! to reach.
 
+pub mod bounds;
+pub mod end_plane;
 pub mod facing;
+pub mod near_volume;
 pub mod topology;
 
-pub use facing::{facing, vertex_less};
+pub use bounds::Bounds;
+pub use end_plane::end_plane;
+pub use facing::{Determinism, facing, vertex_less};
+pub use near_volume::NearVolume;
 pub use topology::{Edge, EdgeCounts, Topology};

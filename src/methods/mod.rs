@@ -11,6 +11,9 @@ mod shadow_map;
 mod silhouette;
 mod silhouette_gs;
 mod silhouette_ts;
+mod triangle_gs;
+mod triangle_ts;
+mod volumes;
 
 pub use parameters::ParameterError;
 pub use registry::{REGISTRY, Registration, find};
@@ -124,6 +127,11 @@ pub trait PreparedMethod {
 
     /// What a reader of its results should know about this scene.
     fn warnings(&self) -> Vec<String> {
+        Vec::new()
+    }
+
+    /// What it counted while it was prepared, by name.
+    fn counters(&self) -> Vec<(&'static str, u64)> {
         Vec::new()
     }
 }

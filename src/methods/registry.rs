@@ -2,7 +2,7 @@
 
 use super::parameters::{ParameterError, configure};
 use super::{MethodInfo, ShadowMethod};
-use super::{shadow_map, silhouette_gs, silhouette_ts};
+use super::{shadow_map, silhouette_gs, silhouette_ts, triangle_gs, triangle_ts};
 use toml::Spanned;
 use toml::de::DeValue;
 
@@ -25,6 +25,14 @@ pub static REGISTRY: &[Registration] = &[
     Registration {
         info: &silhouette_gs::INFO,
         configure: configure::<silhouette_gs::SilhouetteGs>,
+    },
+    Registration {
+        info: &triangle_ts::INFO,
+        configure: configure::<triangle_ts::TriangleTs>,
+    },
+    Registration {
+        info: &triangle_gs::INFO,
+        configure: configure::<triangle_gs::TriangleGs>,
     },
     Registration {
         info: &shadow_map::INFO,

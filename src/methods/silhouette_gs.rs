@@ -1,72 +1,64 @@
 //! Silhouette shadow volumes in a geometry shader (Milet et al. 2014, the comparison of tables 1
-//! and 2): the same decision as in tessellation shaders, one edge a point primitive.
+//! and 2): the same decision as in tessellation shaders, one edge a primitive.
 
-use super::parameters::Parameters;
-use super::silhouette::{COMMON_NEEDS, COUNTER_LIMIT, SideShaders, SilhouetteVolumes};
-use super::{MethodError, MethodInfo, PrepareContext, PreparedMethod, ShadowMethod};
+use super::MethodInfo;
+use super::silhouette::{INPUT_PARAMETER, SideStage, Silhouette};
+use super::volumes::{
+    COUNTER_LIMIT, COUNTING_PARAMETER, DETERMINISM_PARAMETER, NONE_LIMIT, REACH_PARAMETER, STENCIL,
+    Z_PASS_LIMIT,
+};
+use crate::gpu::Requirement;
 use crate::gpu::native::PrimitiveTopology;
-use crate::gpu::shader;
-use serde::{Deserialize, Serialize};
-
-/// Every device lets a geometry shader emit 256 vertices: 64 quads.
-const MOST_QUADS: u32 = 64;
+use crate::gpu::shader::{self, Spirv};
 
 /// What the method is.
 pub(super) static INFO: MethodInfo = MethodInfo {
     id: "silhouette_gs",
     title: "silhouette shadow volumes, side quads by a geometry shader",
     source: "Milet, Kobrtek, Zemčík, Pečiva 2014, section 3",
-    needs: &COMMON_NEEDS,
-    limits: &[COUNTER_LIMIT],
-    parameters: &[(
-        "max_multiplicity",
-        "32",
-        "most opposite vertices of one point, 1 to 64; edges with more are split",
-    )],
+    needs: &[Requirement::GeometryStage, STENCIL],
+    limits: &[COUNTER_LIMIT, Z_PASS_LIMIT, NONE_LIMIT],
+    parameters: &[
+        DETERMINISM_PARAMETER,
+        COUNTING_PARAMETER,
+        REACH_PARAMETER,
+        INPUT_PARAMETER,
+        (
+            "max_multiplicity",
+            "32",
+            "most opposite vertices of one primitive, 1 to 64 (4 with input=patch); edges with more \
+             are split",
+        ),
+    ],
 };
 
-/// The method's parameters.
-#[derive(Debug, Clone, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
-pub(super) struct SilhouetteGs {
-    max_multiplicity: u32,
-}
+/// Side quads by a geometry shader.
+#[derive(Debug, Clone)]
+pub(super) struct GeometryStage;
 
-impl Default for SilhouetteGs {
-    fn default() -> Self {
-        Self {
-            max_multiplicity: 32,
-        }
-    }
-}
+/// The method with its parameters.
+pub(super) type SilhouetteGs = Silhouette<GeometryStage>;
 
-impl Parameters for SilhouetteGs {
-    fn validate(&self) -> Result<(), String> {
-        super::parameters::in_range("max_multiplicity", self.max_multiplicity, 1..=MOST_QUADS)
-    }
-}
-
-impl ShadowMethod for SilhouetteGs {
-    fn info(&self) -> &'static MethodInfo {
+impl SideStage for GeometryStage {
+    fn info() -> &'static MethodInfo {
         &INFO
     }
 
-    fn variant(&self) -> String {
-        self.difference()
+    /// Every device lets a geometry shader emit 256 vertices: 64 quads.
+    const MOST_QUADS: u32 = 64;
+    /// Six vertices are the most that any primitive has.
+    const MOST_PATCH_OPPOSITES: u32 = 4;
+    const NUMBER: PrimitiveTopology = PrimitiveTopology::Points;
+
+    fn patch(opposites: u32) -> (PrimitiveTopology, u32) {
+        if opposites <= 2 {
+            (PrimitiveTopology::LinesWithAdjacency, 2)
+        } else {
+            (PrimitiveTopology::TrianglesWithAdjacency, 4)
+        }
     }
 
-    fn prepare(
-        &self,
-        context: &PrepareContext<'_>,
-    ) -> Result<Box<dyn PreparedMethod>, MethodError> {
-        let volumes = SilhouetteVolumes::new(context, self.max_multiplicity, |largest| {
-            // Room for exactly what this scene can need: a larger output slows the stage down.
-            let room = [("MAX_MULTIPLICITY", largest)];
-            SideShaders {
-                stages: vec![shader::glsl("methods/silhouette_gs/sides.geom", &room)],
-                topology: PrimitiveTopology::Points,
-            }
-        })?;
-        Ok(Box::new(volumes))
+    fn shaders(defines: &[(&str, u32)]) -> Vec<Spirv> {
+        vec![shader::glsl("methods/silhouette_gs/sides.geom", defines)]
     }
 }

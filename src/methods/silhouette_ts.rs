@@ -1,14 +1,14 @@
 //! Silhouette shadow volumes in tessellation shaders (Milet et al. 2014, algorithms 2 to 5).
 
-use super::parameters::Parameters;
-use super::silhouette::{COMMON_NEEDS, COUNTER_LIMIT, SideShaders, SilhouetteVolumes};
-use super::{MethodError, MethodInfo, PrepareContext, PreparedMethod, ShadowMethod};
+use super::MethodInfo;
+use super::silhouette::{INPUT_PARAMETER, SideStage, Silhouette};
+use super::volumes::{
+    COUNTER_LIMIT, COUNTING_PARAMETER, DETERMINISM_PARAMETER, NONE_LIMIT, REACH_PARAMETER, STENCIL,
+    Z_PASS_LIMIT,
+};
+use crate::gpu::Requirement;
 use crate::gpu::native::PrimitiveTopology;
-use crate::gpu::{Requirement, shader};
-use serde::{Deserialize, Serialize};
-
-/// 2 · 32 − 1 is the largest odd tessellation level that every device has.
-const MOST_QUADS: u32 = 32;
+use crate::gpu::shader::{self, Spirv};
 
 /// What the method is.
 pub(super) static INFO: MethodInfo = MethodInfo {
@@ -17,58 +17,50 @@ pub(super) static INFO: MethodInfo = MethodInfo {
     source: "Milet, Kobrtek, Zemčík, Pečiva 2014, section 2.2",
     needs: &[
         Requirement::TessellationStage,
-        COMMON_NEEDS[0],
-        COMMON_NEEDS[1],
+        Requirement::GeometryStage,
+        STENCIL,
     ],
-    limits: &[COUNTER_LIMIT],
-    parameters: &[(
-        "max_multiplicity",
-        "32",
-        "most opposite vertices of one patch, 1 to 32; edges with more are split",
-    )],
+    limits: &[COUNTER_LIMIT, Z_PASS_LIMIT, NONE_LIMIT],
+    parameters: &[
+        DETERMINISM_PARAMETER,
+        COUNTING_PARAMETER,
+        REACH_PARAMETER,
+        INPUT_PARAMETER,
+        (
+            "max_multiplicity",
+            "32",
+            "most opposite vertices of one patch, 1 to 32 (30 with input=patch); edges with more \
+             are split",
+        ),
+    ],
 };
 
-/// The method's parameters.
-#[derive(Debug, Clone, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
-pub(super) struct SilhouetteTs {
-    max_multiplicity: u32,
-}
+/// Side quads by tessellation shaders.
+#[derive(Debug, Clone)]
+pub(super) struct TessellationStage;
 
-impl Default for SilhouetteTs {
-    fn default() -> Self {
-        Self {
-            max_multiplicity: MOST_QUADS,
-        }
-    }
-}
+/// The method with its parameters.
+pub(super) type SilhouetteTs = Silhouette<TessellationStage>;
 
-impl Parameters for SilhouetteTs {
-    fn validate(&self) -> Result<(), String> {
-        super::parameters::in_range("max_multiplicity", self.max_multiplicity, 1..=MOST_QUADS)
-    }
-}
-
-impl ShadowMethod for SilhouetteTs {
-    fn info(&self) -> &'static MethodInfo {
+impl SideStage for TessellationStage {
+    fn info() -> &'static MethodInfo {
         &INFO
     }
 
-    fn variant(&self) -> String {
-        self.difference()
+    /// 2 · 32 − 1 is the largest odd tessellation level that every device has.
+    const MOST_QUADS: u32 = 32;
+    /// Every device has patches of 32 vertices.
+    const MOST_PATCH_OPPOSITES: u32 = 30;
+    const NUMBER: PrimitiveTopology = PrimitiveTopology::Patches(1);
+
+    fn patch(opposites: u32) -> (PrimitiveTopology, u32) {
+        (PrimitiveTopology::Patches(2 + opposites), opposites)
     }
 
-    fn prepare(
-        &self,
-        context: &PrepareContext<'_>,
-    ) -> Result<Box<dyn PreparedMethod>, MethodError> {
-        let volumes = SilhouetteVolumes::new(context, self.max_multiplicity, |_| SideShaders {
-            stages: vec![
-                shader::glsl("methods/silhouette_ts/sides.tesc", &[]),
-                shader::glsl("methods/silhouette_ts/sides.tese", &[]),
-            ],
-            topology: PrimitiveTopology::Patches,
-        })?;
-        Ok(Box::new(volumes))
+    fn shaders(defines: &[(&str, u32)]) -> Vec<Spirv> {
+        vec![
+            shader::glsl("methods/silhouette_ts/sides.tesc", defines),
+            shader::glsl("methods/silhouette_ts/sides.tese", defines),
+        ]
     }
 }

@@ -5,18 +5,15 @@
 #include "methods/silhouette/edge.glsl"
 
 layout(vertices = 1) out;
-layout(location = 0) flat in uint number[];
 layout(location = 0) patch out vec3 patch_a;
 layout(location = 1) patch out vec3 patch_b;
 layout(location = 2) patch out int patch_multiplicity;
 
 void main() {
-    uvec4 edge = edges[number[0]];
-    vec3 a = positions[edge.x].xyz;
-    vec3 b = positions[edge.y].xyz;
-    int m = multiplicity(edge, a, b);
-    patch_a = a;
-    patch_b = b;
+    Edge edge = load_edge();
+    int m = edge.multiplicity;
+    patch_a = edge.a;
+    patch_b = edge.b;
     patch_multiplicity = m;
     float along = m == 0 ? 0.0 : float(2 * abs(m) - 1);
     float across = m == 0 ? 0.0 : 1.0;

@@ -57,6 +57,15 @@ pub fn stages_to_text<'a>(stages: impl IntoIterator<Item = (&'a str, f64)>) -> S
     parts.join(";")
 }
 
+/// Writes counters as a row's `counters` field: `edges=48600;edge_records=48600`.
+pub fn counters_to_text(counters: &[(&str, u64)]) -> String {
+    let parts: Vec<String> = counters
+        .iter()
+        .map(|(name, count)| format!("{name}={count}"))
+        .collect();
+    parts.join(";")
+}
+
 /// Reads a row's `stages` field back; a part that is not `name=number` is left out.
 pub fn stages_from_text(text: &str) -> Vec<(&str, f64)> {
     text.split(';')

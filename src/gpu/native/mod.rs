@@ -10,14 +10,18 @@
     reason = "native Vulkan calls; each block states why it is sound"
 )]
 
+mod geometry;
 mod open;
 mod pass;
 mod pipeline;
 mod target;
 
+pub use geometry::IndexedGeometry;
 pub use open::{Opened, StageSupport, open, support};
 pub use pass::NativePass;
-pub use pipeline::{BindingKind, Bindings, Pipeline, PipelineDesc, PrimitiveTopology, Raster};
+pub use pipeline::{
+    BindingKind, Bindings, Pipeline, PipelineDesc, PrimitiveTopology, Raster, VertexInput,
+};
 pub use target::Target;
 
 use wgpu::hal::api::Vulkan;

@@ -1,5 +1,6 @@
 //! Recording native draws.
 
+use super::geometry::IndexedGeometry;
 use super::pipeline::{Bindings, Pipeline};
 use super::target::Target;
 use ash::vk;
@@ -86,6 +87,40 @@ impl NativePass<'_> {
                 pipeline.handle,
             );
         }
+    }
+
+    /// Takes the vertices of [`Self::draw_indexed`] from `geometry` from now on.
+    pub fn set_geometry(&mut self, geometry: &IndexedGeometry) {
+        // SAFETY: the pass is under way, and the geometry waits for the device before it goes.
+        unsafe {
+            self.raw
+                .cmd_bind_vertex_buffers(self.commands, 0, &[geometry.vertices], &[0]);
+            self.raw.cmd_bind_index_buffer(
+                self.commands,
+                geometry.indices,
+                0,
+                vk::IndexType::UINT32,
+            );
+        }
+    }
+
+    /// One draw call over a part of the element buffer.
+    pub fn draw_indexed(&mut self, indices: Range<u32>) {
+        if indices.is_empty() {
+            return;
+        }
+        self.draw_calls += 1;
+        // SAFETY: the pass is under way with a pipeline, its bindings and buffers bound.
+        unsafe {
+            self.raw.cmd_draw_indexed(
+                self.commands,
+                indices.end - indices.start,
+                1,
+                indices.start,
+                0,
+                0,
+            );
+        };
     }
 
     /// One draw call; `gl_VertexIndex` runs over `vertices`.

@@ -139,8 +139,26 @@ fn descriptor_type(kind: BindingKind) -> vk::DescriptorType {
 pub enum PrimitiveTopology {
     /// One primitive a vertex.
     Points,
-    /// One tessellation patch of one control point a vertex.
-    Patches,
+    /// Three vertices a primitive.
+    Triangles,
+    /// Four vertices a primitive.
+    LinesWithAdjacency,
+    /// Six vertices a primitive.
+    TrianglesWithAdjacency,
+    /// Tessellation patches of so many control points.
+    Patches(u32),
+}
+
+/// Where a pipeline's vertices come from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum VertexInput {
+    /// Nowhere: a vertex is its number, and shaders fetch what they need.
+    Numbers,
+    /// Positions, three floats each and so many bytes apart, at location 0.
+    Positions {
+        /// Bytes from one position to the next.
+        stride: u32,
+    },
 }
 
 /// What happens to the primitives that the last shader before the rasteriser leaves.
@@ -151,16 +169,20 @@ pub enum PrimitiveTopology {
 pub enum Raster {
     /// Count where the depth test (reversed depth, `greater`) fails: z-fail.
     CountDepthFails,
+    /// Count where the depth test passes, with opposite signs: z-pass.
+    CountDepthPasses,
     /// Count everywhere.
     CountAll,
     /// Nothing is drawn; the shaders' side effects are all.
     Discard,
 }
 
-/// A graphics pipeline. Vertices come from storage buffers, not from vertex input.
+/// A graphics pipeline.
 pub struct PipelineDesc<'a> {
     /// Vertex stage first, then the others in pipeline order.
     pub stages: &'a [Spirv],
+    /// Where vertices come from.
+    pub input: VertexInput,
     /// How vertices form primitives.
     pub topology: PrimitiveTopology,
     /// What becomes of the primitives.
@@ -223,13 +245,24 @@ fn create(
                 .name(c"main")
         })
         .collect();
-    let vertex_input = vk::PipelineVertexInputStateCreateInfo::default();
-    let assembly =
-        vk::PipelineInputAssemblyStateCreateInfo::default().topology(match desc.topology {
-            PrimitiveTopology::Points => vk::PrimitiveTopology::POINT_LIST,
-            PrimitiveTopology::Patches => vk::PrimitiveTopology::PATCH_LIST,
-        });
-    let tessellation = vk::PipelineTessellationStateCreateInfo::default().patch_control_points(1);
+    let (buffers, attributes) = vertex_buffers(desc.input);
+    let vertex_input = vk::PipelineVertexInputStateCreateInfo::default()
+        .vertex_binding_descriptions(&buffers)
+        .vertex_attribute_descriptions(&attributes);
+    let (topology, control_points) = match desc.topology {
+        PrimitiveTopology::Points => (vk::PrimitiveTopology::POINT_LIST, None),
+        PrimitiveTopology::Triangles => (vk::PrimitiveTopology::TRIANGLE_LIST, None),
+        PrimitiveTopology::LinesWithAdjacency => {
+            (vk::PrimitiveTopology::LINE_LIST_WITH_ADJACENCY, None)
+        }
+        PrimitiveTopology::TrianglesWithAdjacency => {
+            (vk::PrimitiveTopology::TRIANGLE_LIST_WITH_ADJACENCY, None)
+        }
+        PrimitiveTopology::Patches(points) => (vk::PrimitiveTopology::PATCH_LIST, Some(points)),
+    };
+    let assembly = vk::PipelineInputAssemblyStateCreateInfo::default().topology(topology);
+    let tessellation = vk::PipelineTessellationStateCreateInfo::default()
+        .patch_control_points(control_points.unwrap_or_default());
     let vk::Extent2D { width, height } = target.extent;
     // The negative height turns y up in clip space, as in wgpu's own passes.
     let viewports = [vk::Viewport {
@@ -256,29 +289,9 @@ fn create(
         .cull_mode(vk::CullModeFlags::NONE)
         .front_face(vk::FrontFace::COUNTER_CLOCKWISE)
         .line_width(1.0);
-    let tests_depth = desc.raster == Raster::CountDepthFails;
+    let depth_stencil = depth_stencil(desc.raster);
     let multisample = vk::PipelineMultisampleStateCreateInfo::default()
         .rasterization_samples(vk::SampleCountFlags::TYPE_1);
-    // Without a depth test, every fragment passes it.
-    let count = |operation| vk::StencilOpState {
-        fail_op: vk::StencilOp::KEEP,
-        pass_op: if tests_depth {
-            vk::StencilOp::KEEP
-        } else {
-            operation
-        },
-        depth_fail_op: operation,
-        compare_op: vk::CompareOp::ALWAYS,
-        compare_mask: 0xff,
-        write_mask: 0xff,
-        reference: 0,
-    };
-    let depth_stencil = vk::PipelineDepthStencilStateCreateInfo::default()
-        .depth_test_enable(tests_depth)
-        .depth_compare_op(vk::CompareOp::GREATER)
-        .stencil_test_enable(true)
-        .front(count(vk::StencilOp::DECREMENT_AND_WRAP))
-        .back(count(vk::StencilOp::INCREMENT_AND_WRAP));
     let blend = vk::PipelineColorBlendStateCreateInfo::default();
     let mut info = vk::GraphicsPipelineCreateInfo::default()
         .stages(&stages)
@@ -291,13 +304,73 @@ fn create(
         .color_blend_state(&blend)
         .layout(bindings.layout)
         .render_pass(target.render_pass);
-    if desc.topology == PrimitiveTopology::Patches {
+    if control_points.is_some() {
         info = info.tessellation_state(&tessellation);
     }
     // SAFETY: everything that `info` points to lives until after the call.
     unsafe { raw.create_graphics_pipelines(vk::PipelineCache::null(), &[info], None) }
         .map(|pipelines| pipelines[0])
         .map_err(|(_, error)| error)
+}
+
+fn vertex_buffers(
+    input: VertexInput,
+) -> (
+    Vec<vk::VertexInputBindingDescription>,
+    Vec<vk::VertexInputAttributeDescription>,
+) {
+    match input {
+        VertexInput::Numbers => (Vec::new(), Vec::new()),
+        VertexInput::Positions { stride } => (
+            vec![
+                vk::VertexInputBindingDescription::default()
+                    .stride(stride)
+                    .input_rate(vk::VertexInputRate::VERTEX),
+            ],
+            vec![
+                vk::VertexInputAttributeDescription::default()
+                    .format(vk::Format::R32G32B32_SFLOAT),
+            ],
+        ),
+    }
+}
+
+/// Over a whole closed volume that nothing clips, back faces and front faces count to zero; so what
+/// fails the depth test counts as much as what passes it, with the opposite sign.
+fn depth_stencil(raster: Raster) -> vk::PipelineDepthStencilStateCreateInfo<'static> {
+    let count = |operation| {
+        let (pass_op, depth_fail_op) = match raster {
+            Raster::CountDepthFails => (vk::StencilOp::KEEP, operation),
+            // Without a depth test, every fragment passes it.
+            Raster::CountDepthPasses | Raster::CountAll | Raster::Discard => {
+                (operation, vk::StencilOp::KEEP)
+            }
+        };
+        vk::StencilOpState {
+            fail_op: vk::StencilOp::KEEP,
+            pass_op,
+            depth_fail_op,
+            compare_op: vk::CompareOp::ALWAYS,
+            compare_mask: 0xff,
+            write_mask: 0xff,
+            reference: 0,
+        }
+    };
+    let (up, down) = (
+        vk::StencilOp::INCREMENT_AND_WRAP,
+        vk::StencilOp::DECREMENT_AND_WRAP,
+    );
+    let (front, back) = match raster {
+        Raster::CountDepthPasses => (up, down),
+        Raster::CountDepthFails | Raster::CountAll | Raster::Discard => (down, up),
+    };
+    let tests_depth = matches!(raster, Raster::CountDepthFails | Raster::CountDepthPasses);
+    vk::PipelineDepthStencilStateCreateInfo::default()
+        .depth_test_enable(tests_depth)
+        .depth_compare_op(vk::CompareOp::GREATER)
+        .stencil_test_enable(true)
+        .front(count(front))
+        .back(count(back))
 }
 
 fn stage_flag(stage: GlslStage) -> vk::ShaderStageFlags {

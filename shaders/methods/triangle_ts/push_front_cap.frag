@@ -1,0 +1,11 @@
+// Pushes the front cap to the far plane (Milet et al. 2014, section 2.1): a caster is in the depth buffer
+// itself, so its front cap is never in front of what is visible.
+layout(location = 0) in float farness;
+layout(depth_less) out float gl_FragDepth;
+
+void main() {
+    // Constant 0 on the front cap. On a side, at its near edge, it may round to 0 as well, but changes from
+    // pixel to pixel.
+    bool on_front_cap = farness == 0.0 && fwidth(farness) == 0.0;
+    gl_FragDepth = on_front_cap ? 0.0 : gl_FragCoord.z;
+}

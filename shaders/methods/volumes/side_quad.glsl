@@ -1,0 +1,20 @@
+// Emits the side quad of one edge from a geometry shader.
+//
+// The corners of a side quad lie in one plane only but for rounding, so the diagonal along which it is
+// cut matters to the last bit of depth. Both windings are cut along the same one, from the larger end of
+// the edge to the far end of the smaller one, so that opposite copies cancel to the pixel.
+
+// The position alone: every component of every vertex counts against the device's limit.
+out gl_PerVertex {
+    vec4 gl_Position;
+};
+
+// The edge from its smaller end a to its larger end b. Where the volume is on the left of a to b as the
+// light sees it, a, a_far, b_far, b is counter-clockwise seen from outside; that is winding > 0.
+void emit_side_quad(vec4 a, vec4 b, vec4 a_far, vec4 b_far, int winding) {
+    gl_Position = a; EmitVertex();
+    gl_Position = winding > 0 ? a_far : b; EmitVertex();
+    gl_Position = winding > 0 ? b : a_far; EmitVertex();
+    gl_Position = b_far; EmitVertex();
+    EndPrimitive();
+}

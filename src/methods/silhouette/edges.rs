@@ -1,0 +1,232 @@
+//! Edges in the forms in which shaders take them.
+
+use crate::geometry::{Determinism, Edge, Topology, vertex_less};
+use crate::scene::Mesh;
+use glam::{Vec3, Vec4};
+use std::ops::Range;
+
+/// Edges with end points in the vertex order, and at most so many opposite vertices. An edge with more
+/// is split into several with the same end points; multiplicities add up, so the shadow stays the same.
+pub(super) struct EdgeRecords {
+    pub(super) edges: Vec<Edge>,
+    /// The records of each object that casts, in drawing order.
+    pub(super) objects: Vec<Range<u32>>,
+    /// The edges that were split, as they were.
+    split: Vec<Edge>,
+    limit: u32,
+}
+
+impl EdgeRecords {
+    pub(super) fn new(mesh: &Mesh, topology: &Topology, limit: u32) -> Self {
+        let mut edges = Vec::with_capacity(topology.edges.len());
+        let mut split = Vec::new();
+        let mut objects = Vec::with_capacity(topology.object_edges.len());
+        let casters = mesh.objects.iter().zip(&topology.object_edges);
+        for (_, range) in casters.filter(|(object, _)| object.casts_shadow) {
+            let start = edges.len() as u32;
+            for edge in &topology.edges[range.start as usize..range.end as usize] {
+                let edge = in_vertex_order(&mesh.positions, *edge);
+                if edge.opposite_count <= limit {
+                    edges.push(edge);
+                } else {
+                    edges.extend(parts(edge, limit));
+                    split.push(edge);
+                }
+            }
+            objects.push(start..edges.len() as u32);
+        }
+        Self {
+            edges,
+            objects,
+            split,
+            limit,
+        }
+    }
+
+    /// Opposite vertices of the record that has most, at least 1.
+    pub(super) fn most_opposites(&self) -> u32 {
+        let counts = self.edges.iter().map(|edge| edge.opposite_count);
+        counts.max().unwrap_or(0).max(1)
+    }
+
+    /// How many side quads more than without splitting are drawn under `light`: facings that would have
+    /// cancelled within an edge do not cancel between its parts.
+    pub(super) fn extra_side_quads(
+        &self,
+        mesh: &Mesh,
+        topology: &Topology,
+        determinism: Determinism,
+        light: Vec4,
+    ) -> u64 {
+        let at = |vertex: u32| mesh.positions[vertex as usize];
+        let quads = |edge: Edge| {
+            let opposites = topology.opposites_of(edge).iter();
+            let facing =
+                |o: &u32| determinism.facing_of_edge(at(edge.a), at(edge.b), at(*o), light);
+            u64::from(opposites.map(facing).sum::<i32>().unsigned_abs())
+        };
+        let extra = |edge: &Edge| {
+            parts(*edge, self.limit).map(quads).sum::<u64>() - quads(*edge)
+        };
+        self.split.iter().map(extra).sum()
+    }
+}
+
+/// The edge as several with at most `limit` opposite vertices each.
+fn parts(edge: Edge, limit: u32) -> impl Iterator<Item = Edge> {
+    let end = edge.first_opposite + edge.opposite_count;
+    (edge.first_opposite..end)
+        .step_by(limit as usize)
+        .map(move |first_opposite| Edge {
+            first_opposite,
+            opposite_count: limit.min(end - first_opposite),
+            ..edge
+        })
+}
+
+fn in_vertex_order(positions: &[Vec3], edge: Edge) -> Edge {
+    if vertex_less(positions[edge.b as usize], positions[edge.a as usize]) {
+        Edge {
+            a: edge.b,
+            b: edge.a,
+            ..edge
+        }
+    } else {
+        edge
+    }
+}
+
+/// Edges as input patches (Milet et al. 2014, figure 4): indices of the two end points, then of the
+/// opposite vertices. A patch has the same number of vertices for every edge; the first end point fills
+/// what is left, for a triangle with two equal vertices has no facing and so adds nothing.
+pub(super) struct EdgePatches {
+    pub(super) indices: Vec<u32>,
+    pub(super) vertices_per_patch: u32,
+    /// The indices of each object that casts, in drawing order.
+    pub(super) objects: Vec<Range<u32>>,
+}
+
+impl EdgePatches {
+    /// `opposites_per_patch` must be at least [`EdgeRecords::most_opposites`].
+    pub(super) fn new(records: &EdgeRecords, opposites: &[u32], opposites_per_patch: u32) -> Self {
+        let vertices_per_patch = 2 + opposites_per_patch;
+        let mut indices = Vec::with_capacity(records.edges.len() * vertices_per_patch as usize);
+        for edge in &records.edges {
+            let first = edge.first_opposite as usize;
+            let own = &opposites[first..first + edge.opposite_count as usize];
+            let end = indices.len() + vertices_per_patch as usize;
+            indices.extend([edge.a, edge.b]);
+            indices.extend_from_slice(own);
+            indices.resize(end, edge.a);
+        }
+        let scaled =
+            |range: &Range<u32>| range.start * vertices_per_patch..range.end * vertices_per_patch;
+        Self {
+            indices,
+            vertices_per_patch,
+            objects: records.objects.iter().map(scaled).collect(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::Object;
+
+    /// Three edges in two objects that cast, with one between them that does not.
+    fn example() -> (Mesh, Topology) {
+        let edge = |first_opposite, opposite_count| Edge {
+            a: 0,
+            b: 1,
+            first_opposite,
+            opposite_count,
+        };
+        let object = |casts_shadow| Object {
+            name: String::new(),
+            vertices: 0..10,
+            triangles: 0..0,
+            casts_shadow,
+        };
+        let mesh = Mesh {
+            positions: (0..10).map(|i| Vec3::X * i as f32).collect(),
+            objects: vec![object(true), object(false), object(true)],
+            ..Mesh::default()
+        };
+        let topology = Topology {
+            edges: vec![edge(0, 2), edge(2, 7), edge(9, 1)],
+            opposites: (0..10).collect(),
+            object_edges: vec![0..2, 2..2, 2..3],
+        };
+        (mesh, topology)
+    }
+
+    #[test]
+    fn splitting_keeps_every_opposite_vertex_once() {
+        let (mesh, topology) = example();
+        let records = EdgeRecords::new(&mesh, &topology, 3);
+        let parts: Vec<_> = records
+            .edges
+            .iter()
+            .map(|e| (e.first_opposite, e.opposite_count))
+            .collect();
+        assert_eq!(parts, [(0, 2), (2, 3), (5, 3), (8, 1), (9, 1)]);
+        assert_eq!(records.objects, [0..4, 4..5]);
+        assert_eq!(records.most_opposites(), 3);
+    }
+
+    #[test]
+    fn patches_are_filled_with_their_first_vertex() {
+        let (mesh, topology) = example();
+        let records = EdgeRecords::new(&mesh, &topology, 3);
+        let patches = EdgePatches::new(&records, &topology.opposites, 4);
+        assert_eq!(patches.vertices_per_patch, 6);
+        assert_eq!(patches.indices[..12], [0, 1, 0, 1, 0, 0, 0, 1, 2, 3, 4, 0]);
+        assert_eq!(patches.objects, [0..24, 24..30]);
+    }
+
+    #[test]
+    fn end_points_come_in_the_vertex_order() {
+        let edge = Edge {
+            a: 0,
+            b: 1,
+            first_opposite: 0,
+            opposite_count: 1,
+        };
+        let ends = |positions: [Vec3; 2]| {
+            let edge = in_vertex_order(&positions, edge);
+            (edge.a, edge.b)
+        };
+        assert_eq!(ends([Vec3::ZERO, Vec3::X]), (0, 1));
+        assert_eq!(ends([Vec3::X, Vec3::ZERO]), (1, 0));
+    }
+
+    #[test]
+    fn what_splitting_costs_is_counted() {
+        // Pages above and below an edge along x, half of them facing each way under a lamp.
+        let pages = [1.0, -1.0, 1.0, -1.0].map(|z| Vec3::new(0.5, 0.0, z));
+        let mesh = Mesh {
+            positions: [Vec3::ZERO, Vec3::X].into_iter().chain(pages).collect(),
+            triangles: (2..6).map(|page| [0, 1, page]).collect(),
+            objects: vec![Object {
+                name: String::new(),
+                vertices: 0..6,
+                triangles: 0..4,
+                casts_shadow: true,
+            }],
+        };
+        let topology = Topology::build(&mesh);
+        let light = Vec4::new(0.5, 9.0, 0.0, 1.0);
+        let extra = |limit| {
+            EdgeRecords::new(&mesh, &topology, limit).extra_side_quads(
+                &mesh,
+                &topology,
+                Determinism::ReferenceEdge,
+                light,
+            )
+        };
+        assert_eq!(extra(4), 0);
+        assert_eq!(extra(2), 0, "each part holds one page of either side");
+        assert_eq!(extra(1), 4);
+    }
+}

@@ -1,0 +1,217 @@
+//! Silhouette shadow volumes: what the tessellation and the geometry shader variant share.
+//!
+//! Side quads of silhouette edges, front and back caps of all casting triangles (Milet et al. 2014,
+//! section 2.2). The two variants differ in the stages that make the side quads, nothing else.
+
+mod edges;
+
+use super::parameters::{Parameters, in_range};
+use super::volumes::{self, Counting, Faces, Reach, StencilVolumes, VolumeParameters};
+use super::{MethodError, MethodInfo, PrepareContext, PreparedMethod, ShadowMethod};
+use crate::geometry::Determinism;
+use crate::gpu::Gpu;
+use crate::gpu::native::{PrimitiveTopology, Raster};
+use crate::gpu::shader::{self, Spirv};
+use edges::{EdgePatches, EdgeRecords};
+use serde::{Deserialize, Serialize};
+use std::marker::PhantomData;
+use wgpu::util::DeviceExt;
+
+/// The stages that make side quads of edges.
+pub(super) trait SideStage: 'static {
+    /// The method that uses them.
+    fn info() -> &'static MethodInfo;
+    /// Most side quads of one edge.
+    const MOST_QUADS: u32;
+    /// Most opposite vertices in one input patch.
+    const MOST_PATCH_OPPOSITES: u32;
+    /// The primitive that holds an edge and at least so many opposite vertices, and how many it really
+    /// holds.
+    fn patch(opposites: u32) -> (PrimitiveTopology, u32);
+    /// The primitive that holds the number of an edge.
+    const NUMBER: PrimitiveTopology;
+    /// All shaders after the vertex stage.
+    fn shaders(defines: &[(&str, u32)]) -> Vec<Spirv>;
+}
+
+/// How an edge comes to the shaders.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub(super) enum EdgeInput {
+    /// As its number; the shaders fetch end points and opposite vertices from storage buffers.
+    #[default]
+    Storage,
+    /// As a patch of vertices, end points and opposite ones, through vertex and element buffers (Milet
+    /// et al. 2014, figure 4).
+    Patch,
+}
+
+/// The parameters of both methods.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default, bound = "")]
+pub(super) struct Silhouette<S> {
+    determinism: Determinism,
+    counting: Counting,
+    reach: Reach,
+    input: EdgeInput,
+    max_multiplicity: u32,
+    #[serde(skip)]
+    stage: PhantomData<S>,
+}
+
+impl<S> Default for Silhouette<S> {
+    fn default() -> Self {
+        Self {
+            determinism: Determinism::default(),
+            counting: Counting::default(),
+            reach: Reach::default(),
+            input: EdgeInput::default(),
+            max_multiplicity: 32,
+            stage: PhantomData,
+        }
+    }
+}
+
+/// See [`MethodInfo::parameters`].
+pub(super) const INPUT_PARAMETER: (&str, &str, &str) = (
+    "input",
+    "storage",
+    "how an edge comes to the shaders: storage (its number; they fetch), patch (its vertices)",
+);
+
+impl<S: SideStage> Parameters for Silhouette<S> {
+    fn validate(&self) -> Result<(), String> {
+        in_range("max_multiplicity", self.max_multiplicity, 1..=S::MOST_QUADS)
+    }
+}
+
+impl<S: SideStage> ShadowMethod for Silhouette<S> {
+    fn info(&self) -> &'static MethodInfo {
+        S::info()
+    }
+
+    fn variant(&self) -> String {
+        self.difference()
+    }
+
+    fn prepare(
+        &self,
+        context: &PrepareContext<'_>,
+    ) -> Result<Box<dyn PreparedMethod>, MethodError> {
+        let parameters = VolumeParameters {
+            determinism: self.determinism,
+            reach: self.reach,
+        };
+        let most_opposites = match self.input {
+            EdgeInput::Storage => self.max_multiplicity,
+            EdgeInput::Patch => self.max_multiplicity.min(S::MOST_PATCH_OPPOSITES),
+        };
+        let mesh = &context.scene.mesh;
+        let topology = context.topology();
+        let edges = EdgeRecords::new(mesh, topology, most_opposites);
+        let mut counters = vec![
+            ("edges", topology.edges.len() as u64),
+            ("edge_records", edges.edges.len() as u64),
+            (
+                "extra_side_quads",
+                edges.extra_side_quads(mesh, topology, self.determinism, context.scene.light),
+            ),
+        ];
+        let (sides, buffers) = match self.input {
+            EdgeInput::Storage => Self::sides_by_number(context, parameters, edges),
+            EdgeInput::Patch => {
+                let (topology, opposites) = S::patch(edges.most_opposites());
+                let patches = EdgePatches::new(&edges, &context.topology().opposites, opposites);
+                counters.push(("patch_vertices", patches.vertices_per_patch.into()));
+                let sides = Self::sides_by_patch(context.gpu, parameters, topology, patches);
+                (sides, Vec::new())
+            }
+        };
+        let faces = vec![sides, volumes::caps(context, parameters)];
+        let volumes = StencilVolumes::new(context, self.counting, &buffers, faces, counters)?;
+        Ok(Box::new(volumes))
+    }
+}
+
+impl<S: SideStage> Silhouette<S> {
+    fn sides_by_number(
+        context: &PrepareContext<'_>,
+        parameters: VolumeParameters,
+        edges: EdgeRecords,
+    ) -> (Faces, Vec<wgpu::Buffer>) {
+        let gpu = context.gpu;
+        let buffer = |label, contents: &[u8]| {
+            let usage = wgpu::BufferUsages::STORAGE;
+            filled_buffer(gpu, label, contents, usage)
+        };
+        let buffers = vec![
+            buffer("edges", bytemuck::cast_slice(&edges.edges)),
+            buffer(
+                "opposites",
+                bytemuck::cast_slice(&context.topology().opposites),
+            ),
+        ];
+        // Room for exactly what this scene can need: a larger output slows a geometry stage down.
+        let defines = parameters.defines(&[("MAX_MULTIPLICITY", edges.most_opposites())]);
+        let mut stages = vec![shader::glsl("methods/volumes/index.vert", &[])];
+        stages.extend(S::shaders(&defines));
+        let faces = Faces {
+            stages,
+            topology: S::NUMBER,
+            indices: None,
+            draws: edges.objects,
+            z_fail: Raster::CountDepthFails,
+            in_z_pass: true,
+        };
+        (faces, buffers)
+    }
+
+    fn sides_by_patch(
+        gpu: &Gpu,
+        parameters: VolumeParameters,
+        topology: PrimitiveTopology,
+        patches: EdgePatches,
+    ) -> Faces {
+        let opposites = patches.vertices_per_patch - 2;
+        let defines = parameters.defines(&[
+            ("MAX_MULTIPLICITY", opposites),
+            ("PATCH_OPPOSITES", opposites),
+        ]);
+        let mut stages = vec![shader::glsl("methods/volumes/position.vert", &[])];
+        stages.extend(S::shaders(&defines));
+        let contents = bytemuck::cast_slice(&patches.indices);
+        Faces {
+            stages,
+            topology,
+            indices: Some(filled_buffer(
+                gpu,
+                "edge patches",
+                contents,
+                wgpu::BufferUsages::INDEX,
+            )),
+            draws: patches.objects,
+            z_fail: Raster::CountDepthFails,
+            in_z_pass: true,
+        }
+    }
+}
+
+/// A buffer; Vulkan has no empty ones, so an empty scene gets a few bytes nobody reads.
+fn filled_buffer(
+    gpu: &Gpu,
+    label: &str,
+    contents: &[u8],
+    usage: wgpu::BufferUsages,
+) -> wgpu::Buffer {
+    let contents = if contents.is_empty() {
+        &[0; 16]
+    } else {
+        contents
+    };
+    gpu.device
+        .create_buffer_init(&wgpu::util::BufferInitDescriptor {
+            label: Some(label),
+            contents,
+            usage,
+        })
+}

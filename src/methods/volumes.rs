@@ -1,0 +1,277 @@
+//! Shadow volumes counted in the stencil buffer: what all volume methods share.
+//!
+//! A method says which [`Faces`] its volumes have and how they are made; here they are drawn and
+//! counted, z-fail, z-pass, or for each object whichever is right and draws less. The count of a pixel
+//! is a sum over objects, so objects may be counted in different ways in one frame.
+
+use super::{MethodError, PrepareContext, PreparedMethod};
+use crate::frame::{Stage, StencilResolve};
+use crate::geometry::Determinism;
+use crate::gpu::native::{
+    BindingKind, Bindings, IndexedGeometry, Pipeline, PipelineDesc, PrimitiveTopology, Raster,
+    Target, VertexInput,
+};
+use crate::gpu::shader::{self, Spirv};
+use crate::gpu::{FrameRecorder, Requirement};
+use serde::{Deserialize, Serialize};
+use std::ops::Range;
+
+/// Name of the stage that draws the volumes into the stencil buffer.
+const VOLUMES_STAGE: &str = "volumes";
+
+/// How volumes are counted.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub(super) enum Counting {
+    /// Behind what is visible, to the end of the volumes, caps included: right wherever the eye is
+    /// (Carmack's reverse; Everitt and Kilgard 2002).
+    #[default]
+    ZFail,
+    /// Before what is visible, without caps: wrong where the eye is in a volume (Heidmann 1991).
+    ZPass,
+    /// Z-pass for each object whose volumes provably leave the near rectangle out, else z-fail.
+    Auto,
+}
+
+/// How far volumes reach.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub(super) enum Reach {
+    /// To a plane just beyond the scene, where there is one (see [`crate::geometry::end_plane`]), else
+    /// to infinity.
+    #[default]
+    Scene,
+    /// To infinity, as in the literature.
+    Infinity,
+}
+
+/// What every volume method needs of the device.
+pub(super) const STENCIL: Requirement = Requirement::StencilBuffer;
+
+/// What every volume method cannot do.
+pub(super) const COUNTER_LIMIT: &str =
+    "counts in 8 bits: wrong where 256 or a multiple of it volumes overlap in front of a surface";
+/// What `counting = "z_pass"` cannot do.
+pub(super) const Z_PASS_LIMIT: &str =
+    "counting=z_pass: wrong where the eye or a part of the near rectangle is in a shadow volume";
+/// What `determinism = "none"` cannot do.
+pub(super) const NONE_LIMIT: &str =
+    "determinism=none: leaks where a triangle is nearly edge-on to the light and its edges disagree";
+
+/// Parameters as [`super::MethodInfo::parameters`] has them.
+pub(super) const COUNTING_PARAMETER: (&str, &str, &str) = (
+    "counting",
+    "z_fail",
+    "z_fail; z_pass; auto: z_pass for objects that cannot shadow the eye, else z_fail",
+);
+/// See [`COUNTING_PARAMETER`].
+pub(super) const DETERMINISM_PARAMETER: (&str, &str, &str) = (
+    "determinism",
+    "reference_edge",
+    "how the edges of a triangle agree on its facing: reference_edge, consistent_triangle, none",
+);
+/// See [`COUNTING_PARAMETER`].
+pub(super) const REACH_PARAMETER: (&str, &str, &str) = (
+    "reach",
+    "scene",
+    "scene: volumes end just beyond the scene where they may; infinity: as in the literature",
+);
+
+/// What all faces of a method's volumes are made with.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct VolumeParameters {
+    pub determinism: Determinism,
+    pub reach: Reach,
+}
+
+impl VolumeParameters {
+    /// The definitions that shaders take them by, and `more`.
+    pub(super) fn defines<'a>(self, more: &[(&'a str, u32)]) -> Vec<(&'a str, u32)> {
+        let mut defines = vec![("DETERMINISM", self.determinism as u32)];
+        if self.reach == Reach::Infinity {
+            defines.push(("REACH_INFINITY", 1));
+        }
+        defines.extend_from_slice(more);
+        defines
+    }
+}
+
+/// Faces of volumes that are drawn alike.
+pub(super) struct Faces {
+    /// All shader stages, the vertex stage first.
+    pub stages: Vec<Spirv>,
+    /// What a primitive is.
+    pub topology: PrimitiveTopology,
+    /// Element buffer into the scene's positions; without one, vertices are plain numbers.
+    pub indices: Option<wgpu::Buffer>,
+    /// Elements or vertices of each object that casts, in drawing order.
+    pub draws: Vec<Range<u32>>,
+    /// How they are counted in z-fail.
+    pub z_fail: Raster,
+    /// Whether z-pass needs them: caps, which are never in front of what is visible, it does not.
+    pub in_z_pass: bool,
+}
+
+/// Faces that `stages` make of each casting triangle, given as its three vertices.
+pub(super) fn of_triangles(
+    context: &PrepareContext<'_>,
+    topology: PrimitiveTopology,
+    stages: Vec<Spirv>,
+) -> Faces {
+    let scene = &context.stage.scene;
+    let elements = |triangles: &Range<u32>| 3 * triangles.start..3 * triangles.end;
+    Faces {
+        stages,
+        topology,
+        indices: Some(scene.indices.clone()),
+        draws: scene.casters.iter().map(elements).collect(),
+        z_fail: Raster::CountDepthFails,
+        in_z_pass: true,
+    }
+}
+
+/// Front and back caps of all triangles, by a geometry shader.
+///
+/// Counted everywhere. Every caster is in the depth buffer, so its front cap is never in front of what
+/// is visible and fails every depth test; tested, it would compete with its own surface in the last bit
+/// of depth. What the near plane cuts off is clipped and does not count. The back cap is behind
+/// everything.
+pub(super) fn caps(context: &PrepareContext<'_>, parameters: VolumeParameters) -> Faces {
+    Faces {
+        stages: vec![
+            shader::glsl("methods/volumes/index.vert", &[]),
+            shader::glsl("methods/volumes/caps.geom", &parameters.defines(&[])),
+        ],
+        topology: PrimitiveTopology::Points,
+        indices: None,
+        draws: context.stage.scene.casters.clone(),
+        z_fail: Raster::CountAll,
+        in_z_pass: false,
+    }
+}
+
+/// Faces ready to be drawn.
+struct PreparedFaces {
+    z_fail: Option<Pipeline>,
+    z_pass: Option<Pipeline>,
+    geometry: Option<IndexedGeometry>,
+    draws: Vec<Range<u32>>,
+}
+
+/// The shadow volumes of one scene.
+pub(super) struct StencilVolumes {
+    counting: Counting,
+    faces: Vec<PreparedFaces>,
+    bindings: Bindings,
+    target: Target,
+    resolve: StencilResolve,
+    counters: Vec<(&'static str, u64)>,
+}
+
+impl StencilVolumes {
+    /// Builds the pipelines of `faces`, drawn in their order. `buffers` are what shaders read at
+    /// bindings 3, 4, ... (0 to 2 are frame, positions and indices); `counters` are told to the user.
+    pub(super) fn new(
+        context: &PrepareContext<'_>,
+        counting: Counting,
+        buffers: &[wgpu::Buffer],
+        faces: Vec<Faces>,
+        counters: Vec<(&'static str, u64)>,
+    ) -> Result<Self, MethodError> {
+        let PrepareContext { gpu, stage, .. } = context;
+        let device = &gpu.device;
+        let target = Target::new(device, &stage.targets.depth)?;
+        let mut bound = vec![
+            (BindingKind::Uniform, &stage.uniform.buffer),
+            (BindingKind::Storage, &stage.scene.positions),
+            (BindingKind::Storage, &stage.scene.indices),
+        ];
+        bound.extend(buffers.iter().map(|buffer| (BindingKind::Storage, buffer)));
+        let bindings = Bindings::new(device, &bound)?;
+        let prepare = |faces: Faces| {
+            let pipeline = |raster| {
+                let input = match faces.indices {
+                    Some(_) => VertexInput::Positions {
+                        stride: crate::frame::SceneBuffers::VERTEX_STRIDE as u32,
+                    },
+                    None => VertexInput::Numbers,
+                };
+                let desc = PipelineDesc {
+                    stages: &faces.stages,
+                    input,
+                    topology: faces.topology,
+                    raster,
+                };
+                Pipeline::new(device, &target, &bindings, &desc)
+            };
+            let z_pass = faces.in_z_pass && counting != Counting::ZFail;
+            Ok::<_, MethodError>(PreparedFaces {
+                z_fail: (counting != Counting::ZPass)
+                    .then(|| pipeline(faces.z_fail))
+                    .transpose()?,
+                z_pass: z_pass
+                    .then(|| pipeline(Raster::CountDepthPasses))
+                    .transpose()?,
+                geometry: faces
+                    .indices
+                    .as_ref()
+                    .map(|indices| IndexedGeometry::new(device, &stage.scene.positions, indices))
+                    .transpose()?,
+                draws: faces.draws,
+            })
+        };
+        Ok(Self {
+            counting,
+            faces: faces.into_iter().map(prepare).collect::<Result<_, _>>()?,
+            bindings,
+            target,
+            resolve: StencilResolve::new(gpu),
+            counters,
+        })
+    }
+
+    /// Which of the objects that cast are counted z-pass in the frame under way.
+    fn objects_in_z_pass(&self, stage: &Stage) -> Vec<bool> {
+        let casters = &stage.extents.casters;
+        match self.counting {
+            Counting::ZFail => vec![false; casters.len()],
+            Counting::ZPass => vec![true; casters.len()],
+            Counting::Auto => {
+                let near_volume = stage.view().near_volume();
+                casters
+                    .iter()
+                    .map(|bounds| !near_volume.may_meet(*bounds))
+                    .collect()
+            }
+        }
+    }
+}
+
+impl PreparedMethod for StencilVolumes {
+    fn record(&self, frame: &mut FrameRecorder<'_>, stage: &Stage) {
+        let in_z_pass = self.objects_in_z_pass(stage);
+        frame.native_stage(VOLUMES_STAGE, &self.target, &self.bindings, |pass| {
+            for faces in &self.faces {
+                if let Some(geometry) = &faces.geometry {
+                    pass.set_geometry(geometry);
+                }
+                for (pipeline, is_z_pass) in [(&faces.z_fail, false), (&faces.z_pass, true)] {
+                    let Some(pipeline) = pipeline else { continue };
+                    pass.set_pipeline(pipeline);
+                    let objects = faces.draws.iter().zip(&in_z_pass);
+                    for (draw, _) in objects.filter(|(_, z_pass)| **z_pass == is_z_pass) {
+                        match faces.geometry {
+                            Some(_) => pass.draw_indexed(draw.clone()),
+                            None => pass.draw(draw.clone()),
+                        }
+                    }
+                }
+            }
+        });
+        self.resolve.record(frame, &stage.targets);
+    }
+
+    fn counters(&self) -> Vec<(&'static str, u64)> {
+        self.counters.clone()
+    }
+}
