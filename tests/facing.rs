@@ -9,7 +9,8 @@ use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use svbench::geometry::facing;
 use svbench::gpu::native::{
-    BindingKind, Bindings, NativePass, Pipeline, PipelineDesc, PrimitiveTopology, Raster, VertexInput, Target,
+    BindingKind, Bindings, NativePass, Pipeline, PipelineDesc, PrimitiveTopology, Raster, Target,
+    VertexInput,
 };
 use svbench::gpu::{Gpu, readback, shader};
 use svbench::scene::mesh::canonical;

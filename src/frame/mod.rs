@@ -73,9 +73,7 @@ impl Stage {
     /// Sets view and light of the frames recorded from now on.
     pub fn set_view(&self, gpu: &Gpu, view: &View, light: glam::Vec4) -> FrameView {
         let size_px = (self.targets.width, self.targets.height);
-        let view = self
-            .uniform
-            .write(gpu, view, light, &self.extents, size_px);
+        let view = self.uniform.write(gpu, view, light, &self.extents, size_px);
         self.view.set(Some(view));
         view
     }

@@ -1,8 +1,8 @@
 //! View and light, as every stage of a frame sees them.
 
+use super::view::{FrameView, SceneExtents};
 use crate::gpu::Gpu;
 use crate::scene::View;
-use super::view::{FrameView, SceneExtents};
 use bytemuck::{Pod, Zeroable};
 use glam::{DMat4, Mat4, Vec3, Vec4};
 

@@ -41,9 +41,10 @@ impl NearVolume {
             .fold(0.0, |size: f64, p| size.max(p.abs().max_element()));
         let range = |axis: DVec3| {
             let along = points.clone().map(|p| axis.dot(*p));
-            let (mut low, mut high) = along.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), d| {
-                (l.min(d), h.max(d))
-            });
+            let (mut low, mut high) = along
+                .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), d| {
+                    (l.min(d), h.max(d))
+                });
             if !is_point {
                 // The volume goes on for ever towards the light, but for axes across it.
                 let slope = axis.dot(light_point.normalize());

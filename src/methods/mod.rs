@@ -4,7 +4,9 @@
 //! A [`ShadowMethod`] is a method with its parameters, as a configuration names it; a
 //! [`PreparedMethod`] is that method made ready for one scene on one device.
 
+mod cube_shadow_map;
 mod frustum;
+mod light_depth;
 pub mod parameters;
 pub mod registry;
 mod shadow_map;

@@ -2,7 +2,7 @@
 
 use super::parameters::{ParameterError, configure};
 use super::{MethodInfo, ShadowMethod};
-use super::{shadow_map, silhouette_gs, silhouette_ts, triangle_gs, triangle_ts};
+use super::{cube_shadow_map, shadow_map, silhouette_gs, silhouette_ts, triangle_gs, triangle_ts};
 use toml::Spanned;
 use toml::de::DeValue;
 
@@ -37,6 +37,10 @@ pub static REGISTRY: &[Registration] = &[
     Registration {
         info: &shadow_map::INFO,
         configure: configure::<shadow_map::ShadowMap>,
+    },
+    Registration {
+        info: &cube_shadow_map::INFO,
+        configure: configure::<cube_shadow_map::CubeShadowMap>,
     },
 ];
 

@@ -3,12 +3,12 @@
 //! method that silhouettes are compared with in table 3).
 
 use super::frustum::LightFrustum;
-use super::parameters::{Parameters, in_range};
+use super::light_depth::{self, CONSTANT_BIAS_PARAMETER, Lookup, SLOPE_BIAS_PARAMETER};
+use super::parameters::Parameters;
 use super::{MethodError, MethodInfo, PrepareContext, PreparedMethod, ShadowMethod};
-use crate::frame::fullscreen::{self, bind_group, bind_group_layout, texture_binding};
-use crate::frame::targets::MASK_FORMAT;
-use crate::frame::{SceneBuffers, Stage};
-use crate::gpu::{FrameRecorder, Gpu, shader};
+use crate::frame::Stage;
+use crate::frame::fullscreen::bind_group;
+use crate::gpu::FrameRecorder;
 use serde::{Deserialize, Serialize};
 use wgpu::util::DeviceExt;
 
@@ -28,16 +28,8 @@ pub(super) static INFO: MethodInfo = MethodInfo {
             "8192",
             "side of the square map in texels, up to the device's limit",
         ),
-        (
-            "constant_bias",
-            "2",
-            "depth bias in units of the depth buffer's last bit, at least 0",
-        ),
-        (
-            "slope_bias",
-            "2.0",
-            "depth bias in texels times the slope of the surface, at least 0",
-        ),
+        CONSTANT_BIAS_PARAMETER,
+        SLOPE_BIAS_PARAMETER,
     ],
 };
 
@@ -62,9 +54,7 @@ impl Default for ShadowMap {
 
 impl Parameters for ShadowMap {
     fn validate(&self) -> Result<(), String> {
-        in_range("resolution", self.resolution, 1..=1 << 16)?;
-        in_range("constant_bias", self.constant_bias, 0..=i32::MAX)?;
-        in_range("slope_bias", self.slope_bias, 0.0..=1e6)
+        light_depth::validate(self.resolution, self.constant_bias, self.slope_bias)
     }
 }
 
@@ -81,166 +71,66 @@ impl ShadowMethod for ShadowMap {
         &self,
         context: &PrepareContext<'_>,
     ) -> Result<Box<dyn PreparedMethod>, MethodError> {
-        let largest = context.gpu.max_texture_px();
-        if self.resolution > largest {
-            return Err(MethodError::Parameter(format!(
-                "a map of {0} × {0} texels is larger than this device allows ({largest} × {largest})",
-                self.resolution
-            )));
-        }
         let scene = context.scene;
         let frustum = LightFrustum::around_casters(&scene.mesh, scene.light).ok_or_else(|| {
             MethodError::Unavailable("no caster lies before the light in any one view".to_owned())
         })?;
-        Ok(Box::new(PreparedMap::new(context, self, &frustum)))
+        Ok(Box::new(PreparedMap::new(context, self, &frustum)?))
     }
 }
 
 /// The map of one scene.
 struct PreparedMap {
-    map_view: wgpu::TextureView,
-    map_pipeline: wgpu::RenderPipeline,
-    map_bindings: wgpu::BindGroup,
-    lookup_pipeline: wgpu::RenderPipeline,
-    inputs: wgpu::BindGroup,
+    map: wgpu::TextureView,
+    pipeline: wgpu::RenderPipeline,
+    light: wgpu::BindGroup,
+    lookup: Lookup,
     covered: f64,
 }
 
-const MAP_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
-
 impl PreparedMap {
-    fn new(context: &PrepareContext<'_>, parameters: &ShadowMap, frustum: &LightFrustum) -> Self {
-        let PrepareContext { gpu, stage, .. } = context;
-        let device = &gpu.device;
-        let light = device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
-            label: Some("light"),
-            contents: bytemuck::bytes_of(&frustum.view_projection),
-            usage: wgpu::BufferUsages::UNIFORM,
-        });
-        let side = parameters.resolution;
-        let map = device.create_texture(&wgpu::TextureDescriptor {
-            label: Some("shadow map"),
-            size: wgpu::Extent3d {
-                width: side,
-                height: side,
-                depth_or_array_layers: 1,
-            },
-            mip_level_count: 1,
-            sample_count: 1,
-            dimension: wgpu::TextureDimension::D2,
-            format: MAP_FORMAT,
-            usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::TEXTURE_BINDING,
-            view_formats: &[],
-        });
-        let map_view = map.create_view(&wgpu::TextureViewDescriptor::default());
-
-        let uniform = wgpu::BindingType::Buffer {
-            ty: wgpu::BufferBindingType::Uniform,
-            has_dynamic_offset: false,
-            min_binding_size: None,
+    fn new(
+        context: &PrepareContext<'_>,
+        parameters: &ShadowMap,
+        frustum: &LightFrustum,
+    ) -> Result<Self, MethodError> {
+        let gpu = context.gpu;
+        let matrix = gpu
+            .device
+            .create_buffer_init(&wgpu::util::BufferInitDescriptor {
+                label: Some("light"),
+                contents: bytemuck::bytes_of(&frustum.view_projection),
+                usage: wgpu::BufferUsages::UNIFORM,
+            });
+        let map = light_depth::texture(gpu, parameters.resolution, 1)?
+            .create_view(&wgpu::TextureViewDescriptor::default());
+        let bias = wgpu::DepthBiasState {
+            constant: parameters.constant_bias,
+            slope_scale: parameters.slope_bias,
+            clamp: 0.0,
         };
-        let map_pipeline = map_pipeline(gpu, parameters);
-        let map_layout = map_pipeline.get_bind_group_layout(0);
-        let map_bindings = bind_group(device, &map_layout, &[light.as_entire_binding()]);
-
-        let inputs_layout = bind_group_layout(
-            device,
-            "shadow map inputs",
-            &[
-                texture_binding(wgpu::TextureSampleType::Depth),
-                texture_binding(wgpu::TextureSampleType::Depth),
-                uniform,
-            ],
-        );
-        let inputs = bind_group(
-            device,
-            &inputs_layout,
-            &[
-                wgpu::BindingResource::TextureView(&stage.targets.depth_only_view),
-                wgpu::BindingResource::TextureView(&map_view),
-                light.as_entire_binding(),
-            ],
-        );
-        let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
-            label: Some("shadow map lookup"),
-            bind_group_layouts: &[Some(&stage.uniform.layout), Some(&inputs_layout)],
-            ..Default::default()
-        });
-        let module = shader::wgsl(device, "methods/shadow_map/lookup.wgsl");
-        let lookup_pipeline =
-            fullscreen::pipeline(device, &module, "lookup", &layout, MASK_FORMAT, None);
-        Self {
-            map_view,
-            map_pipeline,
-            map_bindings,
-            lookup_pipeline,
-            inputs,
+        let pipeline = light_depth::pipeline(gpu, wgpu::CompareFunction::Less, bias);
+        let layout = pipeline.get_bind_group_layout(0);
+        let dimension = wgpu::TextureViewDimension::D2;
+        let shader = "methods/shadow_map/lookup.wgsl";
+        Ok(Self {
+            light: bind_group(&gpu.device, &layout, &[matrix.as_entire_binding()]),
+            lookup: Lookup::new(context, shader, (&map, dimension), &matrix),
+            map,
+            pipeline,
             covered: frustum.covered,
-        }
-    }
-}
-
-fn map_pipeline(gpu: &Gpu, parameters: &ShadowMap) -> wgpu::RenderPipeline {
-    let module = shader::wgsl(&gpu.device, "methods/shadow_map/map.wgsl");
-    gpu.device
-        .create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-            label: Some("shadow map"),
-            layout: None,
-            vertex: wgpu::VertexState {
-                module: &module,
-                entry_point: Some("vertex"),
-                compilation_options: wgpu::PipelineCompilationOptions::default(),
-                buffers: &[Some(SceneBuffers::vertex_layout())],
-            },
-            // Both sides cast: meshes may be open.
-            primitive: wgpu::PrimitiveState::default(),
-            depth_stencil: Some(wgpu::DepthStencilState {
-                format: MAP_FORMAT,
-                depth_write_enabled: Some(true),
-                depth_compare: Some(wgpu::CompareFunction::Less),
-                stencil: wgpu::StencilState::default(),
-                bias: wgpu::DepthBiasState {
-                    constant: parameters.constant_bias,
-                    slope_scale: parameters.slope_bias,
-                    clamp: 0.0,
-                },
-            }),
-            multisample: wgpu::MultisampleState::default(),
-            fragment: None,
-            multiview_mask: None,
-            cache: None,
         })
+    }
 }
 
 impl PreparedMethod for PreparedMap {
     fn record(&self, frame: &mut FrameRecorder<'_>, stage: &Stage) {
         frame.stage("map", |encoder| {
-            let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-                label: Some("shadow map"),
-                depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
-                    view: &self.map_view,
-                    depth_ops: Some(wgpu::Operations {
-                        load: wgpu::LoadOp::Clear(1.0),
-                        store: wgpu::StoreOp::Store,
-                    }),
-                    stencil_ops: None,
-                }),
-                ..Default::default()
-            });
-            pass.set_pipeline(&self.map_pipeline);
-            pass.set_bind_group(0, &self.map_bindings, &[]);
-            stage.scene.draw(&mut pass, &stage.scene.casters)
+            let how = (&self.pipeline, &self.light);
+            let casters = &stage.scene.casters;
+            light_depth::draw(encoder, &self.map, 1.0, how, &stage.scene, casters)
         });
-        frame.stage("lookup", |encoder| {
-            let mask = &stage.targets.mask_view;
-            let mut pass =
-                fullscreen::pass(encoder, "shadow map lookup", mask, wgpu::LoadOp::Load, None);
-            pass.set_pipeline(&self.lookup_pipeline);
-            pass.set_bind_group(0, &stage.uniform.bind_group, &[]);
-            pass.set_bind_group(1, &self.inputs, &[]);
-            pass.draw(0..3, 0..1);
-            1
-        });
+        self.lookup.record(frame, stage);
     }
 
     fn warnings(&self) -> Vec<String> {

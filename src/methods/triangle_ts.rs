@@ -82,9 +82,11 @@ impl Parameters for TriangleTs {
     fn validate(&self) -> Result<(), String> {
         in_range("passes", self.passes, 1..=2)?;
         if self.passes == 2 && self.front_cap == FrontCap::InPlace {
-            return Err("`front_cap = \"in_place\"` needs `passes = 1`: the second pass counts the \
+            return Err(
+                "`front_cap = \"in_place\"` needs `passes = 1`: the second pass counts the \
                         front cap without a depth test"
-                .to_owned());
+                    .to_owned(),
+            );
         }
         Ok(())
     }

@@ -55,8 +55,7 @@ pub(super) const COUNTER_LIMIT: &str =
 pub(super) const Z_PASS_LIMIT: &str =
     "counting=z_pass: wrong where the eye or a part of the near rectangle is in a shadow volume";
 /// What `determinism = "none"` cannot do.
-pub(super) const NONE_LIMIT: &str =
-    "determinism=none: leaks where a triangle is nearly edge-on to the light and its edges disagree";
+pub(super) const NONE_LIMIT: &str = "determinism=none: leaks where a triangle is nearly edge-on to the light and its edges disagree";
 
 /// Parameters as [`super::MethodInfo::parameters`] has them.
 pub(super) const COUNTING_PARAMETER: (&str, &str, &str) = (

@@ -19,7 +19,9 @@ pub use images::{ImageKind, file_safe, image_name};
 pub use info::{
     DeviceRecord, EdgeRecord, HostRecord, MethodRecord, RunInfo, RunStatus, SceneRecord, Status,
 };
-pub use rows::{Cell, ErrorSums, Sample, Summary, counters_to_text, stages_from_text, stages_to_text};
+pub use rows::{
+    Cell, ErrorSums, Sample, Summary, counters_to_text, stages_from_text, stages_to_text,
+};
 
 /// Version of the run directory's layout; raised when an older reader would misread a newer run.
 pub const FORMAT: u32 = 1;

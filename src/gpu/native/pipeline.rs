@@ -328,8 +328,7 @@ fn vertex_buffers(
                     .input_rate(vk::VertexInputRate::VERTEX),
             ],
             vec![
-                vk::VertexInputAttributeDescription::default()
-                    .format(vk::Format::R32G32B32_SFLOAT),
+                vk::VertexInputAttributeDescription::default().format(vk::Format::R32G32B32_SFLOAT),
             ],
         ),
     }

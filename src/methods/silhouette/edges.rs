@@ -65,9 +65,7 @@ impl EdgeRecords {
                 |o: &u32| determinism.facing_of_edge(at(edge.a), at(edge.b), at(*o), light);
             u64::from(opposites.map(facing).sum::<i32>().unsigned_abs())
         };
-        let extra = |edge: &Edge| {
-            parts(*edge, self.limit).map(quads).sum::<u64>() - quads(*edge)
-        };
+        let extra = |edge: &Edge| parts(*edge, self.limit).map(quads).sum::<u64>() - quads(*edge);
         self.split.iter().map(extra).sum()
     }
 }

@@ -1,0 +1,307 @@
+//! An omnidirectional shadow map: the casters' depth seen from the light in six views, one for each face
+//! of a cube (Greene 1986 for the projection), looked up once a pixel. For a light among the casters, where
+//! Milet et al. 2014 had no shadow map to compare with.
+
+use super::light_depth::{self, CONSTANT_BIAS_PARAMETER, Lookup, SLOPE_BIAS_PARAMETER};
+use super::parameters::Parameters;
+use super::{MethodError, MethodInfo, PrepareContext, PreparedMethod, ShadowMethod};
+use crate::frame::Stage;
+use crate::frame::fullscreen::bind_group;
+use crate::geometry::Bounds;
+use crate::gpu::FrameRecorder;
+use bytemuck::{Pod, Zeroable};
+use glam::{DVec3, Mat4, Vec3, Vec4};
+use serde::{Deserialize, Serialize};
+use std::ops::Range;
+use wgpu::util::DeviceExt;
+
+/// What the method is.
+pub(super) static INFO: MethodInfo = MethodInfo {
+    id: "cube_shadow_map",
+    title: "an omnidirectional shadow map of six faces, nearest texel",
+    source: "Greene 1986, Williams 1978; beyond Milet et al. 2014, who had none",
+    needs: &[],
+    limits: &[
+        "edges are as coarse as the map's texels; acne and detached shadows trade off by bias",
+        "needs a light at a point",
+    ],
+    parameters: &[
+        (
+            "resolution",
+            "2048",
+            "side of each of the six faces in texels, up to the device's limit",
+        ),
+        CONSTANT_BIAS_PARAMETER,
+        SLOPE_BIAS_PARAMETER,
+    ],
+};
+
+/// The near plane lies at this part of the distance of the farthest caster. Reversed floating-point depth
+/// is as precise whatever it is.
+const NEAR_BY_FAR: f64 = 1e-6;
+
+/// The method's parameters.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub(super) struct CubeShadowMap {
+    resolution: u32,
+    constant_bias: i32,
+    slope_bias: f32,
+}
+
+impl Default for CubeShadowMap {
+    fn default() -> Self {
+        Self {
+            resolution: 2048,
+            constant_bias: 2,
+            slope_bias: 2.0,
+        }
+    }
+}
+
+impl Parameters for CubeShadowMap {
+    fn validate(&self) -> Result<(), String> {
+        light_depth::validate(self.resolution, self.constant_bias, self.slope_bias)
+    }
+}
+
+impl ShadowMethod for CubeShadowMap {
+    fn info(&self) -> &'static MethodInfo {
+        &INFO
+    }
+
+    fn variant(&self) -> String {
+        self.difference()
+    }
+
+    fn prepare(
+        &self,
+        context: &PrepareContext<'_>,
+    ) -> Result<Box<dyn PreparedMethod>, MethodError> {
+        let light = context.scene.light;
+        if light.w == 0.0 {
+            let reason = "needs a light at a point; this one is at infinity";
+            return Err(MethodError::Unavailable(reason.to_owned()));
+        }
+        Ok(Box::new(PreparedCube::new(
+            context,
+            self,
+            light.truncate(),
+        )?))
+    }
+}
+
+/// Twin of `Cube` in shaders/methods/cube_shadow_map/lookup.wgsl.
+#[repr(C)]
+#[derive(Clone, Copy, Pod, Zeroable)]
+struct CubeData {
+    right: [Vec4; 6],
+    up: [Vec4; 6],
+    forward: [Vec4; 6],
+    light: Vec4,
+}
+
+/// The axes of one face: x right, y up, and the direction that it looks in.
+struct FaceAxes {
+    right: Vec3,
+    up: Vec3,
+    forward: Vec3,
+}
+
+/// The faces, in the order of the map's layers.
+fn faces() -> [FaceAxes; 6] {
+    [
+        (Vec3::X, Vec3::Y),
+        (Vec3::NEG_X, Vec3::Y),
+        (Vec3::Y, Vec3::Z),
+        (Vec3::NEG_Y, Vec3::Z),
+        (Vec3::Z, Vec3::Y),
+        (Vec3::NEG_Z, Vec3::Y),
+    ]
+    .map(|(forward, up)| FaceAxes {
+        right: forward.cross(up),
+        up,
+        forward,
+    })
+}
+
+impl FaceAxes {
+    /// World to clip space of a view of 90 degrees from `light`; reversed infinite depth: z = near.
+    fn view_projection(&self, light: Vec3, near: f32) -> Mat4 {
+        let row = |axis: Vec3| axis.extend(-axis.dot(light));
+        let rows = [
+            row(self.right),
+            row(self.up),
+            Vec4::new(0.0, 0.0, 0.0, near),
+            row(self.forward),
+        ];
+        Mat4::from_cols_array_2d(&rows.map(|row| row.to_array())).transpose()
+    }
+
+    /// Whether something in the box may be seen on this face from `light`. Errs to true.
+    fn may_see(&self, bounds: Bounds, light: DVec3) -> bool {
+        let [right, up, forward] = [self.right, self.up, self.forward].map(|axis| axis.as_dvec3());
+        [right, -right, up, -up].into_iter().all(|side| {
+            // What is seen lies on the positive side of all four planes through the light.
+            let inward = forward + side;
+            let (_, farthest) = bounds.range_along(inward);
+            farthest >= inward.dot(light) - 1e-6 * light.abs().max_element()
+        })
+    }
+}
+
+/// One face of the map.
+struct Face {
+    layer: wgpu::TextureView,
+    light: wgpu::BindGroup,
+    /// The casters that may be seen on it.
+    objects: Vec<Range<u32>>,
+}
+
+/// The map of one scene.
+struct PreparedCube {
+    faces: Vec<Face>,
+    pipeline: wgpu::RenderPipeline,
+    lookup: Lookup,
+}
+
+impl PreparedCube {
+    fn new(
+        context: &PrepareContext<'_>,
+        parameters: &CubeShadowMap,
+        light: Vec3,
+    ) -> Result<Self, MethodError> {
+        let gpu = context.gpu;
+        let extents = &context.stage.extents;
+        let uniform = |contents: &[u8]| {
+            gpu.device
+                .create_buffer_init(&wgpu::util::BufferInitDescriptor {
+                    label: Some("light"),
+                    contents,
+                    usage: wgpu::BufferUsages::UNIFORM,
+                })
+        };
+        let near = near_distance(extents.all_casters, light.as_dvec3());
+        // Nearer is larger, so what pushes away is negative.
+        let bias = wgpu::DepthBiasState {
+            constant: -parameters.constant_bias,
+            slope_scale: -parameters.slope_bias,
+            clamp: 0.0,
+        };
+        let pipeline = light_depth::pipeline(gpu, wgpu::CompareFunction::Greater, bias);
+        let map = light_depth::texture(gpu, parameters.resolution, 6)?;
+        let casters = || context.stage.scene.casters.iter().zip(&extents.casters);
+        let face = |(layer, axes): (u32, &FaceAxes)| {
+            let matrix = uniform(bytemuck::bytes_of(&axes.view_projection(light, near)));
+            let layout = pipeline.get_bind_group_layout(0);
+            Face {
+                layer: map.create_view(&wgpu::TextureViewDescriptor {
+                    dimension: Some(wgpu::TextureViewDimension::D2),
+                    base_array_layer: layer,
+                    array_layer_count: Some(1),
+                    ..Default::default()
+                }),
+                light: bind_group(&gpu.device, &layout, &[matrix.as_entire_binding()]),
+                objects: casters()
+                    .filter(|(_, bounds)| axes.may_see(**bounds, light.as_dvec3()))
+                    .map(|(object, _)| object.clone())
+                    .collect(),
+            }
+        };
+        let axes = faces();
+        let cube = uniform(bytemuck::bytes_of(&CubeData {
+            right: axes.each_ref().map(|face| face.right.extend(0.0)),
+            up: axes.each_ref().map(|face| face.up.extend(0.0)),
+            forward: axes.each_ref().map(|face| face.forward.extend(0.0)),
+            light: light.extend(near),
+        }));
+        let dimension = wgpu::TextureViewDimension::D2Array;
+        let whole = map.create_view(&wgpu::TextureViewDescriptor {
+            dimension: Some(dimension),
+            ..Default::default()
+        });
+        let shader = "methods/cube_shadow_map/lookup.wgsl";
+        Ok(Self {
+            faces: (0..).zip(&axes).map(face).collect(),
+            lookup: Lookup::new(context, shader, (&whole, dimension), &cube),
+            pipeline,
+        })
+    }
+}
+
+/// Distance of the near plane of every face.
+fn near_distance(casters: Bounds, light: DVec3) -> f32 {
+    let corner = (casters.low - light)
+        .abs()
+        .max((casters.high - light).abs());
+    let far = if casters.is_empty() {
+        1.0
+    } else {
+        corner.length()
+    };
+    (far * NEAR_BY_FAR).max(f64::from(f32::MIN_POSITIVE)) as f32
+}
+
+impl PreparedMethod for PreparedCube {
+    fn record(&self, frame: &mut FrameRecorder<'_>, stage: &Stage) {
+        frame.stage("map", |encoder| {
+            let draw = |face: &Face| {
+                let how = (&self.pipeline, &face.light);
+                light_depth::draw(encoder, &face.layer, 0.0, how, &stage.scene, &face.objects)
+            };
+            self.faces.iter().map(draw).sum()
+        });
+        self.lookup.record(frame, stage);
+    }
+
+    fn counters(&self) -> Vec<(&'static str, u64)> {
+        let drawn = self.faces.iter().map(|face| face.objects.len() as u64);
+        vec![("objects_on_faces", drawn.sum())]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        /// A point is seen on the face that it goes farthest in the direction of, inside of its picture,
+        /// and on no other face's inside; and that face keeps any box around it.
+        #[test]
+        fn every_point_has_its_face(
+            light in [-5.0f32..5.0, -5.0f32..5.0, -5.0f32..5.0].prop_map(Vec3::from_array),
+            offset in [-9.0f32..9.0, -9.0f32..9.0, -9.0f32..9.0].prop_map(Vec3::from_array),
+            half in 0.0f64..2.0,
+        ) {
+            let largest = offset.abs().max_element();
+            prop_assume!(largest > 0.1);
+            let point = light + offset;
+            for face in faces() {
+                let along = face.forward.dot(offset);
+                let clip = face.view_projection(light, 1e-5) * point.extend(1.0);
+                let inside = clip.w > 0.0 && clip.x.abs().max(clip.y.abs()) <= clip.w * 1.001;
+                if along == largest {
+                    prop_assert!(inside, "{clip}");
+                    let around = Bounds {
+                        low: point.as_dvec3() - half,
+                        high: point.as_dvec3() + half,
+                    };
+                    prop_assert!(face.may_see(around, light.as_dvec3()));
+                } else if along < largest * 0.99 {
+                    prop_assert!(!inside, "{clip}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_face_leaves_out_what_is_behind_it() {
+        let behind = Bounds {
+            low: DVec3::new(-3.0, -1.0, -1.0),
+            high: DVec3::new(-2.0, 1.0, 1.0),
+        };
+        let seeing = faces().map(|face| face.may_see(behind, DVec3::ZERO));
+        assert_eq!(seeing, [false, true, false, false, false, false]);
+    }
+}

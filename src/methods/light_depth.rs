@@ -1,0 +1,179 @@
+//! The casters' depth as the light sees it: what both kinds of shadow map share.
+
+use super::parameters::in_range;
+use super::{MethodError, PrepareContext};
+use crate::frame::fullscreen::{self, bind_group, bind_group_layout, texture_binding};
+use crate::frame::targets::MASK_FORMAT;
+use crate::frame::{SceneBuffers, Stage};
+use crate::gpu::{FrameRecorder, Gpu, shader};
+use std::ops::Range;
+
+const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
+
+/// See [`super::MethodInfo::parameters`].
+pub(super) const CONSTANT_BIAS_PARAMETER: (&str, &str, &str) = (
+    "constant_bias",
+    "2",
+    "depth bias in units of the depth buffer's last bit, at least 0",
+);
+/// See [`super::MethodInfo::parameters`].
+pub(super) const SLOPE_BIAS_PARAMETER: (&str, &str, &str) = (
+    "slope_bias",
+    "2.0",
+    "depth bias in texels times the slope of the surface, at least 0",
+);
+
+/// Checks the parameters of a map, whatever the device.
+pub(super) fn validate(resolution: u32, constant_bias: i32, slope_bias: f32) -> Result<(), String> {
+    in_range("resolution", resolution, 1..=1 << 16)?;
+    in_range("constant_bias", constant_bias, 0..=i32::MAX)?;
+    in_range("slope_bias", slope_bias, 0.0..=1e6)
+}
+
+/// A depth texture of `layers` square layers.
+pub(super) fn texture(
+    gpu: &Gpu,
+    resolution: u32,
+    layers: u32,
+) -> Result<wgpu::Texture, MethodError> {
+    let largest = gpu.max_texture_px();
+    if resolution > largest {
+        return Err(MethodError::Parameter(format!(
+            "a map of {resolution} × {resolution} texels is larger than this device allows \
+             ({largest} × {largest})"
+        )));
+    }
+    Ok(gpu.device.create_texture(&wgpu::TextureDescriptor {
+        label: Some("shadow map"),
+        size: wgpu::Extent3d {
+            width: resolution,
+            height: resolution,
+            depth_or_array_layers: layers,
+        },
+        mip_level_count: 1,
+        sample_count: 1,
+        dimension: wgpu::TextureDimension::D2,
+        format: FORMAT,
+        usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::TEXTURE_BINDING,
+        view_formats: &[],
+    }))
+}
+
+/// The pipeline that draws casters into a map; bind group 0 holds the light's matrix.
+pub(super) fn pipeline(
+    gpu: &Gpu,
+    nearer: wgpu::CompareFunction,
+    bias: wgpu::DepthBiasState,
+) -> wgpu::RenderPipeline {
+    let module = shader::wgsl(&gpu.device, "methods/shadow_map/map.wgsl");
+    gpu.device
+        .create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+            label: Some("shadow map"),
+            layout: None,
+            vertex: wgpu::VertexState {
+                module: &module,
+                entry_point: Some("vertex"),
+                compilation_options: wgpu::PipelineCompilationOptions::default(),
+                buffers: &[Some(SceneBuffers::vertex_layout())],
+            },
+            // Both sides cast: meshes may be open.
+            primitive: wgpu::PrimitiveState::default(),
+            depth_stencil: Some(wgpu::DepthStencilState {
+                format: FORMAT,
+                depth_write_enabled: Some(true),
+                depth_compare: Some(nearer),
+                stencil: wgpu::StencilState::default(),
+                bias,
+            }),
+            multisample: wgpu::MultisampleState::default(),
+            fragment: None,
+            multiview_mask: None,
+            cache: None,
+        })
+}
+
+/// Draws `objects` into one layer, over depth `far`; gives the number of draw calls.
+pub(super) fn draw(
+    encoder: &mut wgpu::CommandEncoder,
+    layer: &wgpu::TextureView,
+    far: f32,
+    (pipeline, light): (&wgpu::RenderPipeline, &wgpu::BindGroup),
+    scene: &SceneBuffers,
+    objects: &[Range<u32>],
+) -> u32 {
+    let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+        label: Some("shadow map"),
+        depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
+            view: layer,
+            depth_ops: Some(wgpu::Operations {
+                load: wgpu::LoadOp::Clear(far),
+                store: wgpu::StoreOp::Store,
+            }),
+            stencil_ops: None,
+        }),
+        ..Default::default()
+    });
+    pass.set_pipeline(pipeline);
+    pass.set_bind_group(0, light, &[]);
+    scene.draw(&mut pass, objects)
+}
+
+/// The pass over the picture that looks the map up.
+pub(super) struct Lookup {
+    pipeline: wgpu::RenderPipeline,
+    inputs: wgpu::BindGroup,
+}
+
+impl Lookup {
+    /// `shader` reads the frame's depth, the map, and a uniform `light`.
+    pub(super) fn new(
+        context: &PrepareContext<'_>,
+        shader: &str,
+        (map, dimension): (&wgpu::TextureView, wgpu::TextureViewDimension),
+        light: &wgpu::Buffer,
+    ) -> Self {
+        let PrepareContext { gpu, stage, .. } = context;
+        let device = &gpu.device;
+        let depth = texture_binding(wgpu::TextureSampleType::Depth);
+        let map_binding = wgpu::BindingType::Texture {
+            sample_type: wgpu::TextureSampleType::Depth,
+            view_dimension: dimension,
+            multisampled: false,
+        };
+        let uniform = wgpu::BindingType::Buffer {
+            ty: wgpu::BufferBindingType::Uniform,
+            has_dynamic_offset: false,
+            min_binding_size: None,
+        };
+        let input_layout = bind_group_layout(device, "lookup", &[depth, map_binding, uniform]);
+        let resources = [
+            wgpu::BindingResource::TextureView(&stage.targets.depth_only_view),
+            wgpu::BindingResource::TextureView(map),
+            light.as_entire_binding(),
+        ];
+        let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+            label: Some("lookup"),
+            bind_group_layouts: &[Some(&stage.uniform.layout), Some(&input_layout)],
+            ..Default::default()
+        });
+        let module = shader::wgsl(device, shader);
+        Self {
+            pipeline: fullscreen::pipeline(device, &module, "lookup", &layout, MASK_FORMAT, None),
+            inputs: bind_group(device, &input_layout, &resources),
+        }
+    }
+
+    /// Records the stage `lookup`.
+    pub(super) fn record(&self, frame: &mut FrameRecorder<'_>, stage: &Stage) {
+        frame.stage("lookup", |encoder| {
+            let mask = &stage.targets.mask_view;
+            let load = wgpu::LoadOp::Load;
+            let mut pass = fullscreen::pass(encoder, "shadow map lookup", mask, load, None);
+            pass.set_pipeline(&self.pipeline);
+            pass.set_bind_group(0, &stage.uniform.bind_group, &[]);
+            pass.set_bind_group(1, &self.inputs, &[]);
+            pass.draw(0..3, 0..1);
+            1
+        });
+    }
+}
