@@ -7,7 +7,7 @@ use common::device;
 use glam::{Vec3, Vec4};
 use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
-use svbench::geometry::facing;
+use svbench::geometry::Determinism;
 use svbench::gpu::native::{
     BindingKind, Bindings, NativePass, Pipeline, PipelineDesc, PrimitiveTopology, Raster, Target,
     VertexInput,
@@ -91,9 +91,9 @@ fn cases() -> Vec<Case> {
     (0..CASES).map(|i| case(&mut random, i % 12)).collect()
 }
 
-fn expected(case: &Case) -> i32 {
+fn expected(determinism: Determinism, case: &Case) -> i32 {
     let [a, b, c, light] = case;
-    facing(a.truncate(), b.truncate(), c.truncate(), *light)
+    determinism.facing(a.truncate(), b.truncate(), c.truncate(), *light)
 }
 
 struct Buffers {
@@ -146,7 +146,13 @@ impl Buffers {
     }
 }
 
-fn native(gpu: &Gpu, buffers: &Buffers, shaders: &[&str], topology: PrimitiveTopology) -> Vec<i32> {
+fn native(
+    gpu: &Gpu,
+    buffers: &Buffers,
+    shaders: &[&str],
+    topology: PrimitiveTopology,
+    determinism: Determinism,
+) -> Vec<i32> {
     let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
         label: None,
         size: wgpu::Extent3d {
@@ -171,7 +177,9 @@ fn native(gpu: &Gpu, buffers: &Buffers, shaders: &[&str], topology: PrimitiveTop
     )
     .unwrap();
     let paths = std::iter::once(&"methods/volumes/index.vert").chain(shaders);
-    let stages: Vec<_> = paths.map(|path| shader::glsl(path, &[])).collect();
+    let stages: Vec<_> = paths
+        .map(|path| shader::glsl(path, &[("DETERMINISM", determinism as u32)]))
+        .collect();
     let desc = PipelineDesc {
         stages: &stages,
         input: VertexInput::Numbers,
@@ -238,11 +246,15 @@ fn wgsl(gpu: &Gpu, buffers: &Buffers) -> Vec<i32> {
 }
 
 /// The cases in which the device disagrees.
-fn differences<'a>(cases: &'a [Case], found: &[i32]) -> Vec<(&'a Case, i32, i32)> {
+fn differences<'a>(
+    determinism: Determinism,
+    cases: &'a [Case],
+    found: &[i32],
+) -> Vec<(&'a Case, i32, i32)> {
     let rows = cases
         .iter()
         .zip(found)
-        .map(|(case, &found)| (case, expected(case), found));
+        .map(|(case, &found)| (case, expected(determinism, case), found));
     rows.filter(|(_, expected, found)| expected != found)
         .collect()
 }
@@ -251,11 +263,6 @@ fn differences<'a>(cases: &'a [Case], found: &[i32]) -> Vec<(&'a Case, i32, i32)
 fn every_language_and_stage_decides_alike() {
     let gpu = device();
     let cases = cases();
-    let answers = [-1, 0, 1].map(|f| cases.iter().filter(|case| expected(case) == f).count());
-    assert!(
-        answers.iter().all(|&count| count > CASES / 20),
-        "a one-sided test: {answers:?}"
-    );
     assert!(
         gpu.stages.vertex_stores,
         "this test writes buffers from geometry shaders"
@@ -273,18 +280,32 @@ fn every_language_and_stage_decides_alike() {
             PrimitiveTopology::Patches(1),
         ),
     ];
-    for (name, shaders, topology) in stages {
-        let found = native(&gpu, &buffers, shaders, topology);
-        let wrong = differences(&cases, &found);
+    for determinism in [
+        Determinism::ReferenceEdge,
+        Determinism::ConsistentTriangle,
+        Determinism::None,
+    ] {
+        let answers = [-1, 0, 1].map(|f| {
+            let given = |case: &&Case| expected(determinism, case) == f;
+            cases.iter().filter(given).count()
+        });
         assert!(
-            wrong.is_empty(),
-            "{name}: {} differ, first {:?}",
-            wrong.len(),
-            wrong.first()
+            answers.iter().all(|&count| count > CASES / 20),
+            "a one-sided test of {determinism:?}: {answers:?}"
         );
+        for (name, shaders, topology) in stages {
+            let found = native(&gpu, &buffers, shaders, topology, determinism);
+            let wrong = differences(determinism, &cases, &found);
+            assert!(
+                wrong.is_empty(),
+                "{name}, {determinism:?}: {} differ, first {:?}",
+                wrong.len(),
+                wrong.first()
+            );
+        }
     }
     let found = wgsl(&gpu, &buffers);
-    let wrong = differences(&cases, &found);
+    let wrong = differences(Determinism::ReferenceEdge, &cases, &found);
     // A GPU's compiler may fuse WGSL's operations; Mesa's software driver does not.
     let allowed = if gpu.is_software() { 0 } else { CASES / 100 };
     assert!(

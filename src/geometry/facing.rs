@@ -169,7 +169,50 @@ mod tests {
         assert_eq!(facing(Vec3::NAN, Vec3::X, Vec3::Y, Vec4::ONE), 0);
     }
 
+    /// Rounding decides which side of a light plane an edge-on triangle is on, and planes differ.
+    #[test]
+    fn edge_on_triangles_are_consistent_or_dropped() {
+        let at = |i: usize| {
+            let (s, t) = ((i % 7) as f32 / 7.0, (i / 7) as f32 / 9.0);
+            Vec3::new(-1.3, 0.4, -0.7)
+                + Vec3::new(2.1, 0.13, 0.9) * s
+                + Vec3::new(0.17, 1.9, 0.31) * t
+        };
+        let light = (at(3) * 0.25 + at(40) * 0.75 + (at(60) - at(2)) * 3.0).extend(1.0);
+        let (mut dropped, mut kept, mut disagreeing) = (0, 0, 0);
+        for i in 0..40 {
+            let [mut a, mut b, o] = [at(i), at(i + 9), at(i + 15)];
+            if vertex_less(b, a) {
+                std::mem::swap(&mut a, &mut b);
+            }
+            let reference = facing(a, b, o, light);
+            let consistent = Determinism::ConsistentTriangle.facing(a, b, o, light);
+            assert!(consistent == reference || consistent == 0);
+            dropped += u32::from(consistent == 0 && reference != 0);
+            kept += u32::from(consistent != 0);
+            let by_edges = [(a, b, o), (b, o, a), (o, a, b)]
+                .map(|(a, b, o)| Determinism::None.facing(a, b, o, light));
+            disagreeing += u32::from(by_edges != [by_edges[0]; 3]);
+        }
+        assert!(
+            dropped > 0 && kept > 0 && disagreeing > 0,
+            "{dropped} dropped, {kept} kept, {disagreeing} disagreeing"
+        );
+    }
+
     proptest! {
+        #[test]
+        fn a_consistent_triangle_keeps_its_facing_however_it_is_asked(
+            [a, b, c] in triangle(),
+            l in light(),
+        ) {
+            let ask = |a, b, c| Determinism::ConsistentTriangle.facing(a, b, c, l);
+            let f = ask(a, b, c);
+            prop_assert_eq!(ask(b, c, a), f);
+            prop_assert_eq!(ask(b, a, c), -f);
+            prop_assert!(f == 0 || f == facing(a, b, c, l));
+        }
+
         #[test]
         fn a_swap_negates_and_a_rotation_keeps([a, b, c] in triangle(), l in light()) {
             let f = facing(a, b, c, l);

@@ -7,9 +7,25 @@ use super::Gpu;
 /// # Errors
 /// When the device is lost.
 pub fn read_texture(gpu: &Gpu, texture: &wgpu::Texture) -> anyhow::Result<Vec<u8>> {
+    read_aspect(gpu, texture, wgpu::TextureAspect::All)
+}
+
+/// The stencil counts of a depth-stencil texture, one byte a pixel, rows from the top.
+///
+/// # Errors
+/// When the device is lost.
+pub fn read_stencil(gpu: &Gpu, texture: &wgpu::Texture) -> anyhow::Result<Vec<u8>> {
+    read_aspect(gpu, texture, wgpu::TextureAspect::StencilOnly)
+}
+
+fn read_aspect(
+    gpu: &Gpu,
+    texture: &wgpu::Texture,
+    aspect: wgpu::TextureAspect,
+) -> anyhow::Result<Vec<u8>> {
     let texel_bytes = texture
         .format()
-        .block_copy_size(None)
+        .block_copy_size(Some(aspect))
         .ok_or_else(|| anyhow::anyhow!("{:?} cannot be read back", texture.format()))?;
     let (width, height) = (texture.width(), texture.height());
     let row_bytes = width * texel_bytes;
@@ -24,7 +40,10 @@ pub fn read_texture(gpu: &Gpu, texture: &wgpu::Texture) -> anyhow::Result<Vec<u8
         .device
         .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
     encoder.copy_texture_to_buffer(
-        texture.as_image_copy(),
+        wgpu::TexelCopyTextureInfo {
+            aspect,
+            ..texture.as_image_copy()
+        },
         wgpu::TexelCopyBufferInfo {
             buffer: &buffer,
             layout: wgpu::TexelCopyBufferLayout {

@@ -2,7 +2,7 @@
 //! of a cube (Greene 1986 for the projection), looked up once a pixel. For a light among the casters, where
 //! Milet et al. 2014 had no shadow map to compare with.
 
-use super::light_depth::{self, CONSTANT_BIAS_PARAMETER, Lookup, SLOPE_BIAS_PARAMETER};
+use super::light_depth::{self, Lookup, SLOPE_BIAS_PARAMETER};
 use super::parameters::Parameters;
 use super::{MethodError, MethodInfo, PrepareContext, PreparedMethod, ShadowMethod};
 use crate::frame::Stage;
@@ -31,7 +31,11 @@ pub(super) static INFO: MethodInfo = MethodInfo {
             "2048",
             "side of each of the six faces in texels, up to the device's limit",
         ),
-        CONSTANT_BIAS_PARAMETER,
+        (
+            "constant_bias",
+            "16",
+            "depth bias in units of the last bit of the distance, at least 0",
+        ),
         SLOPE_BIAS_PARAMETER,
     ],
 };
@@ -53,7 +57,7 @@ impl Default for CubeShadowMap {
     fn default() -> Self {
         Self {
             resolution: 2048,
-            constant_bias: 2,
+            constant_bias: 16,
             slope_bias: 2.0,
         }
     }

@@ -11,12 +11,6 @@ use std::ops::Range;
 const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
 
 /// See [`super::MethodInfo::parameters`].
-pub(super) const CONSTANT_BIAS_PARAMETER: (&str, &str, &str) = (
-    "constant_bias",
-    "2",
-    "depth bias in units of the depth buffer's last bit, at least 0",
-);
-/// See [`super::MethodInfo::parameters`].
 pub(super) const SLOPE_BIAS_PARAMETER: (&str, &str, &str) = (
     "slope_bias",
     "2.0",

@@ -3,7 +3,7 @@
 //! method that silhouettes are compared with in table 3).
 
 use super::frustum::LightFrustum;
-use super::light_depth::{self, CONSTANT_BIAS_PARAMETER, Lookup, SLOPE_BIAS_PARAMETER};
+use super::light_depth::{self, Lookup, SLOPE_BIAS_PARAMETER};
 use super::parameters::Parameters;
 use super::{MethodError, MethodInfo, PrepareContext, PreparedMethod, ShadowMethod};
 use crate::frame::Stage;
@@ -28,7 +28,11 @@ pub(super) static INFO: MethodInfo = MethodInfo {
             "8192",
             "side of the square map in texels, up to the device's limit",
         ),
-        CONSTANT_BIAS_PARAMETER,
+        (
+            "constant_bias",
+            "2",
+            "depth bias in units of the depth buffer's last bit, at least 0",
+        ),
         SLOPE_BIAS_PARAMETER,
     ],
 };

@@ -12,12 +12,13 @@
 #include "shared/extrude.glsl"
 #include "shared/facing.glsl"
 
-// The given triangle looks counter-clockwise from the light, and so do all triangles of the tessellator.
-// The front cap shall, but the cup that sides and back cap are has its inside towards the light.
+// The front cap is wound as the given triangle, counter-clockwise as the light sees it. Sides and back cap
+// are a cup that has its inside towards the light, so they are wound the other way round. Vulkan's domain is
+// upside down, which makes `cw` the word for keeping the winding.
 #if INNER_LEVEL == 1
-layout(triangles, equal_spacing, ccw) in;
-#else
 layout(triangles, equal_spacing, cw) in;
+#else
+layout(triangles, equal_spacing, ccw) in;
 #endif
 layout(location = 0) patch in vec3 corners[3];
 
