@@ -185,6 +185,7 @@ fn native(
         input: VertexInput::Numbers,
         topology,
         raster: Raster::Discard,
+        push_back_px: 0.0,
     };
     let pipeline = Pipeline::new(&gpu.device, &target, &bindings, &desc).unwrap();
     // A first pass of wgpu's brings the texture into the layout that native passes expect.

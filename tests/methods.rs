@@ -206,7 +206,10 @@ fn a_fan_of_any_number_of_pages_is_right() {
             assert!(drawn.mask.contains(&255), "{pages} pages cast a shadow");
             let beside = drawn.artifacts.iter().filter(|at| !on_spine(**at));
             if beside.count() > 0 || error.wrong_px() > 4 {
-                faults.push(format!("{method}, {pages} pages: {error:?} {:?} {a} {b}", drawn.artifacts));
+                faults.push(format!(
+                    "{method}, {pages} pages: {error:?} {:?} {a} {b}",
+                    drawn.artifacts
+                ));
             }
         }
     }

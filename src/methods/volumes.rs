@@ -105,6 +105,8 @@ pub(super) struct Faces {
     pub indices: Option<wgpu::Buffer>,
     /// Elements or vertices of each object that casts, in drawing order.
     pub draws: Vec<Range<u32>>,
+    /// See [`PipelineDesc::push_back_px`].
+    pub push_back_px: f32,
     /// How they are counted in z-fail.
     pub z_fail: Raster,
     /// Whether z-pass needs them: caps, which are never in front of what is visible, it does not.
@@ -124,6 +126,7 @@ pub(super) fn of_triangles(
         topology,
         indices: Some(scene.indices.clone()),
         draws: scene.casters.iter().map(elements).collect(),
+        push_back_px: 0.0,
         z_fail: Raster::CountDepthFails,
         in_z_pass: true,
     }
@@ -144,6 +147,7 @@ pub(super) fn caps(context: &PrepareContext<'_>, parameters: VolumeParameters) -
         topology: PrimitiveTopology::Points,
         indices: None,
         draws: context.stage.scene.casters.clone(),
+        push_back_px: 0.0,
         z_fail: Raster::CountAll,
         in_z_pass: false,
     }
@@ -200,6 +204,7 @@ impl StencilVolumes {
                     input,
                     topology: faces.topology,
                     raster,
+                    push_back_px: faces.push_back_px,
                 };
                 Pipeline::new(device, &target, &bindings, &desc)
             };

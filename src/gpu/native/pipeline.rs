@@ -187,6 +187,9 @@ pub struct PipelineDesc<'a> {
     pub topology: PrimitiveTopology,
     /// What becomes of the primitives.
     pub raster: Raster,
+    /// How far primitives are pushed away from the eye before the depth test: by the change of their
+    /// depth over so many pixels.
+    pub push_back_px: f32,
 }
 
 /// A native graphics pipeline.
@@ -288,6 +291,9 @@ fn create(
         .polygon_mode(vk::PolygonMode::FILL)
         .cull_mode(vk::CullModeFlags::NONE)
         .front_face(vk::FrontFace::COUNTER_CLOCKWISE)
+        .depth_bias_enable(desc.push_back_px != 0.0)
+        // Reversed depth: farther is smaller.
+        .depth_bias_slope_factor(-desc.push_back_px)
         .line_width(1.0);
     let depth_stencil = depth_stencil(desc.raster);
     let multisample = vk::PipelineMultisampleStateCreateInfo::default()
@@ -334,6 +340,10 @@ fn vertex_buffers(
     }
 }
 
+fn tests_depth(raster: Raster) -> bool {
+    matches!(raster, Raster::CountDepthFails | Raster::CountDepthPasses)
+}
+
 /// Over a whole closed volume that nothing clips, back faces and front faces count to zero; so what
 /// fails the depth test counts as much as what passes it, with the opposite sign.
 fn depth_stencil(raster: Raster) -> vk::PipelineDepthStencilStateCreateInfo<'static> {
@@ -363,9 +373,8 @@ fn depth_stencil(raster: Raster) -> vk::PipelineDepthStencilStateCreateInfo<'sta
         Raster::CountDepthPasses => (up, down),
         Raster::CountDepthFails | Raster::CountAll | Raster::Discard => (down, up),
     };
-    let tests_depth = matches!(raster, Raster::CountDepthFails | Raster::CountDepthPasses);
     vk::PipelineDepthStencilStateCreateInfo::default()
-        .depth_test_enable(tests_depth)
+        .depth_test_enable(tests_depth(raster))
         .depth_compare_op(vk::CompareOp::GREATER)
         .stencil_test_enable(true)
         .front(count(front))

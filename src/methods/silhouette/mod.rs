@@ -160,6 +160,7 @@ impl<S: SideStage> Silhouette<S> {
             topology: S::NUMBER,
             indices: None,
             draws: edges.objects,
+            push_back_px: 0.0,
             z_fail: Raster::CountDepthFails,
             in_z_pass: true,
         };
@@ -190,6 +191,7 @@ impl<S: SideStage> Silhouette<S> {
                 wgpu::BufferUsages::INDEX,
             )),
             draws: patches.objects,
+            push_back_px: 0.0,
             z_fail: Raster::CountDepthFails,
             in_z_pass: true,
         }
