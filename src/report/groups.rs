@@ -171,3 +171,69 @@ pub(super) fn check_distinct<'a>(dirs: impl IntoIterator<Item = &'a Path>) -> Re
     }
     Ok(())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::fixture::paper_run;
+
+    fn labels(runs: &[Run], force: bool) -> Vec<(String, usize)> {
+        let groups = group(runs, force).unwrap();
+        let label = |group: &Group<'_>| (group.label.clone(), group.runs.len());
+        groups.iter().map(label).collect()
+    }
+
+    #[test]
+    fn runs_of_one_device_and_driver_are_one_group() {
+        let mut runs = [
+            paper_run("a", "A GPU", &[]),
+            paper_run("b", "B GPU", &[]),
+            paper_run("c", "A GPU", &[]),
+        ];
+        assert_eq!(
+            labels(&runs, false),
+            [("A GPU".to_owned(), 2), ("B GPU".to_owned(), 1)]
+        );
+        runs[2].info.device.driver_info = "2.0".to_owned();
+        let found = labels(&runs, false);
+        assert_eq!(found[2], ("A GPU (2.0)".to_owned(), 1));
+    }
+
+    #[test]
+    fn runs_that_differ_are_refused_with_all_that_differs() {
+        let mut runs = [paper_run("a", "A GPU", &[]), paper_run("b", "A GPU", &[])];
+        runs[1].info.width = 32;
+        runs[1].info.frames = 9;
+        runs[1].info.program_version = "0.2.0".to_owned();
+        runs[1].info.scale = "small".to_owned();
+        let error = group(&runs, false).unwrap_err().to_string();
+        for part in [
+            "a and b cannot be compared",
+            "width: 64 px and 32 px",
+            "frames: 3 and 9",
+            "program_version: 0.1.0 and 0.2.0",
+            "scale: full and small",
+            "--force",
+        ] {
+            assert!(error.contains(part), "{part}: {error}");
+        }
+        assert!(!error.contains("height"), "{error}");
+    }
+
+    #[test]
+    fn forced_runs_stand_apart_and_say_how_they_differ() {
+        let mut runs = [
+            paper_run("a", "A GPU", &[]),
+            paper_run("b", "A GPU", &[]),
+            paper_run("c", "A GPU", &[]),
+        ];
+        runs[1].info.frames = 9;
+        assert_eq!(
+            labels(&runs, true),
+            [
+                ("A GPU (3 frames)".to_owned(), 2),
+                ("A GPU (9 frames)".to_owned(), 1)
+            ]
+        );
+    }
+}

@@ -86,6 +86,15 @@ impl<'a> Ratios<'a> {
         devices
     }
 
+    /// What stands before a device's part of a text: its name, where there are several.
+    pub(super) fn whose(&self, device: &str) -> String {
+        if self.devices().len() > 1 {
+            format!("{device}: ")
+        } else {
+            String::new()
+        }
+    }
+
     /// The ratios of a device.
     pub(super) fn of(&self, device: &str) -> impl Iterator<Item = &Ratio<'a>> {
         self.list.iter().filter(move |ratio| ratio.device == device)

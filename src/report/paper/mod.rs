@@ -20,6 +20,7 @@ pub mod spec;
 pub mod tables;
 
 mod evidence;
+mod judge;
 mod measured;
 mod published;
 
@@ -84,3 +85,6 @@ pub(super) fn write(dir: &Path, paper: Option<&Paper>) -> Result<()> {
     }
     Ok(())
 }
+
+#[cfg(test)]
+mod tests;

@@ -10,8 +10,8 @@ use super::lines::Frame;
 use crate::report::load::Contender;
 
 const GROUP_NAME_PX: i32 = 13;
-/// Group names that cannot be broken to fit are turned upright and get this much room.
-const UPRIGHT_PX: i32 = 150;
+/// Group names that cannot be broken to fit are turned upright and get at most this much room.
+const UPRIGHT_PX: i32 = 220;
 const MAX_BAR_PX: i32 = 56;
 
 /// A chart of grouped bars.
@@ -72,7 +72,9 @@ impl BarChart {
         let name_px = if names.is_some() {
             14 + 17 * lines
         } else {
-            UPRIGHT_PX
+            let names = self.groups.iter();
+            let longest = names.map(|group| text_width_px(&group.name, GROUP_NAME_PX));
+            longest.max().unwrap_or_default().min(UPRIGHT_PX)
         };
         let frame = Frame {
             left,

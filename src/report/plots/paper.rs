@@ -80,7 +80,7 @@ fn keys(sheet: &Sheet) -> Vec<(Key, Contender)> {
             marker: None,
             ..Key::of(index)
         };
-        (key, contender(what.name, "colour"))
+        (key, contender(what.name, ""))
     });
     let devices = sheet.columns.iter().enumerate().map(|(index, column)| {
         let who = if column.is_published() {
