@@ -193,7 +193,8 @@ impl Sheet {
             "in each row of a device"
         };
         let mut notes = vec![format!(
-            "Frames per second. Bold: the highest {within}. –: not measured."
+            "Frames per second. Bold: the highest {within}, of those whose mask was right; the \
+             paper says nothing of its masks. –: not measured."
         )];
         let cells = || self.columns.iter().flat_map(|c| c.cells.iter().flatten());
         for mask in [Mask::Wrong, Mask::Unverified, Mask::CutShort] {

@@ -198,7 +198,7 @@ pub static SPECS: [Spec; 4] = [
     Spec {
         number: 4,
         figure: 8,
-        title: "All methods on four million triangles of spheres and on Crytek Sponza",
+        title: "All methods on 4M triangles of spheres and on Crytek Sponza",
         points: "Scene",
         series: &[
             plain("ts_triangle", "TS triangle", "triangle_ts"),

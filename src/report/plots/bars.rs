@@ -20,6 +20,8 @@ pub(super) struct BarChart {
     pub(super) y: Axis,
     pub(super) contenders: Vec<Contender>,
     pub(super) groups: Vec<Group>,
+    /// What several groups side by side have in common, and how many those are; may be empty.
+    pub(super) bands: Vec<(String, usize)>,
 }
 
 /// The bars of one scene.
@@ -96,11 +98,35 @@ impl BarChart {
             )?;
         }
         canvas.line(vec![(left, frame.bottom), (right, frame.bottom)], MUTED, 1)?;
+        self.paint_bands(canvas, frame, group_px)?;
 
         let contenders = self.contenders.iter().enumerate();
         let keys = contenders.map(|(index, contender)| (Key::of(index), contender));
         let entries = legend::from_top(keys, frame.top);
         legend::paint(canvas, entries, right, (frame.top - 10, height - 10))
+    }
+
+    /// Names the bands at the top of the frame, with a line between them.
+    fn paint_bands<DB: DrawingBackend>(
+        &self,
+        canvas: &Canvas<'_, DB>,
+        frame: Frame,
+        group_px: i32,
+    ) -> Result<()>
+    where
+        DB::ErrorType: 'static,
+    {
+        let mut left = frame.left;
+        for (name, groups) in &self.bands {
+            let right = left + *groups as i32 * group_px;
+            let at = ((left + right) / 2, frame.top - 10);
+            canvas.text(name, at, GROUP_NAME_PX, INK, CENTER)?;
+            if left > frame.left {
+                canvas.line(vec![(left, frame.top - 16), (left, frame.bottom)], MUTED, 1)?;
+            }
+            left = right;
+        }
+        Ok(())
     }
 
     fn paint_group<DB: DrawingBackend>(

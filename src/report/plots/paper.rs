@@ -13,7 +13,6 @@ use super::{Chart, Figure};
 use crate::report::load::Contender;
 use crate::report::paper::Paper;
 use crate::report::paper::sheet::{Column, Sheet};
-use crate::report::paper::spec::{Place, Point};
 
 /// Dashes of the first published device and of the others.
 const DASHES_PX: [i32; 2] = [7, 3];
@@ -24,14 +23,16 @@ pub(super) fn figures(paper: &Paper) -> Vec<Figure> {
 }
 
 fn figure(sheet: &Sheet) -> Figure {
-    let chart = if sheet.spec.series_are_rows {
-        Chart::Bars(bars(sheet))
+    // A legend of lines shows its dashes; one of bars has nothing hollow to show.
+    let (chart, key) = if sheet.spec.series_are_rows {
+        (Chart::Bars(bars(sheet)), "; hollow: published")
     } else {
-        Chart::Lines(lines(sheet))
+        (Chart::Lines(lines(sheet)), "")
     };
+    let (number, what) = (sheet.spec.figure, sheet.spec.title);
     Figure {
         name: sheet.spec.figure_name(),
-        title: format!("Figure {}: {}", sheet.spec.figure, sheet.spec.title),
+        title: format!("Figure {number}: {what}{key}"),
         chart,
     }
 }
@@ -109,45 +110,38 @@ fn contender(method: &str, variant: &str) -> Contender {
     }
 }
 
+/// The bars of each device, scene by scene.
 fn bars(sheet: &Sheet) -> BarChart {
-    let series = 0..sheet.spec.series.len();
-    let mut groups = Vec::new();
+    let (mut groups, mut bands) = (Vec::new(), Vec::new());
     for (at, point) in sheet.points.iter().enumerate() {
-        for column in &sheet.columns {
-            let bar = |series| {
-                let value = column.cell(series, at)?.fps;
-                Some(Bar {
-                    value,
-                    whisker: None,
-                })
-            };
-            groups.push(Group {
-                name: format!("{} {}", scene(*point), column.device),
-                hollow: column.is_published(),
-                bars: series.clone().map(bar).collect(),
-            });
-        }
+        let devices = sheet.columns.iter().map(|column| group(column, at));
+        let measured = devices.filter(|group| group.bars.iter().any(Option::is_some));
+        let before = groups.len();
+        groups.extend(measured);
+        bands.push((point.name(), groups.len() - before));
     }
-    groups.retain(|group| group.bars.iter().any(Option::is_some));
     let all = groups.iter().flat_map(|group| group.bars.iter().flatten());
     let fps: Vec<f64> = all.map(|bar| bar.value).collect();
+    let names = sheet.spec.series.iter().map(|what| what.name);
     BarChart {
         y: Axis::fit("Frames per second", fps.into_iter()),
-        contenders: sheet
-            .spec
-            .series
-            .iter()
-            .map(|what| contender(what.name, ""))
-            .collect(),
+        contenders: names.map(|name| contender(name, "")).collect(),
         groups,
+        bands,
     }
 }
 
-/// A scene's name, short enough to stand under bars.
-fn scene(point: Point) -> String {
-    match point {
-        Point::Scene(Place::Spheres4M) => "4M spheres".to_owned(),
-        Point::Scene(Place::Sponza) => "Sponza".to_owned(),
-        other => other.name(),
+fn group(column: &Column, point: usize) -> Group {
+    let bar = |series| {
+        let cell = column.cell(series, point)?;
+        Some(Bar {
+            value: cell.fps,
+            whisker: None,
+        })
+    };
+    Group {
+        name: column.device.clone(),
+        hollow: column.is_published(),
+        bars: (0..column.cells.len()).map(bar).collect(),
     }
 }

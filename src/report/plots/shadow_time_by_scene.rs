@@ -48,6 +48,7 @@ pub(super) fn figure(run: &Run) -> Option<Figure> {
             y,
             contenders,
             groups,
+            bands: Vec::new(),
         }),
     })
 }
