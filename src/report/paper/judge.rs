@@ -81,13 +81,16 @@ pub(super) fn faster(ratios: &[Ratios<'_>]) -> Finding {
     Finding::new(ratios, verdict, text).with_value(worst, "smallest factor")
 }
 
+/// A number of triangles, and the ratio there.
+type At = (f64, f64);
+
 pub(super) fn crossover(ratios: Ratios<'_>, claimed: f64) -> Finding {
-    let devices: Vec<(&str, Vec<(f64, f64)>)> = ratios
+    let devices: Vec<(&str, Vec<At>)> = ratios
         .devices()
         .into_iter()
         .map(|device| (device, by_triangles(ratios.of(device))))
         .collect();
-    let part = |(device, points): &(&str, Vec<(f64, f64)>)| {
+    let part = |(device, points): &(&str, Vec<At>)| {
         let at = crossing(points).map_or("no crossover".to_owned(), |triangles| {
             format!("even at about {} triangles", rounded(triangles))
         });
@@ -97,10 +100,10 @@ pub(super) fn crossover(ratios: Ratios<'_>, claimed: f64) -> Finding {
     };
     let text: Vec<String> = devices.iter().map(part).collect();
     let all =
-        |holds: &dyn Fn(&[(f64, f64)]) -> bool| devices.iter().all(|(_, points)| holds(points));
-    let verdict = if all(&|points| points.len() >= 2) {
-        let crosses = all(&|points| crosses_near(points, claimed));
-        let falls = all(&|points| match points {
+        |holds: fn(&[At], f64) -> bool| devices.iter().all(|(_, points)| holds(points, claimed));
+    let verdict = if all(|points, _| points.len() >= 2) {
+        let crosses = all(crosses_near);
+        let falls = all(|points, _| match points {
             [first, .., last] => last.1 < first.1,
             _ => false,
         });
@@ -116,8 +119,8 @@ pub(super) fn crossover(ratios: Ratios<'_>, claimed: f64) -> Finding {
 }
 
 /// Triangles and ratio, by ascending triangles.
-fn by_triangles<'a>(ratios: impl Iterator<Item = &'a Ratio<'a>>) -> Vec<(f64, f64)> {
-    let mut points: Vec<(f64, f64)> = ratios
+fn by_triangles<'a>(ratios: impl Iterator<Item = &'a Ratio<'a>>) -> Vec<At> {
+    let mut points: Vec<At> = ratios
         .filter_map(|ratio| Some((ratio.point.number()? as f64, ratio.ratio)))
         .collect();
     points.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -125,7 +128,7 @@ fn by_triangles<'a>(ratios: impl Iterator<Item = &'a Ratio<'a>>) -> Vec<(f64, f6
 }
 
 /// Whether the ratio is above 1 well below the number of triangles claimed, and below 1 well above.
-fn crosses_near(points: &[(f64, f64)], claimed: f64) -> bool {
+fn crosses_near(points: &[At], claimed: f64) -> bool {
     let low = points
         .iter()
         .filter(|point| point.0 <= claimed / CROSSOVER_FACTOR);
@@ -137,7 +140,7 @@ fn crosses_near(points: &[(f64, f64)], claimed: f64) -> bool {
 }
 
 /// Where the ratio passes from above 1 to below, between two points, on log scales.
-fn crossing(points: &[(f64, f64)]) -> Option<f64> {
+fn crossing(points: &[At]) -> Option<f64> {
     points.windows(2).find_map(|pair| {
         let [(x0, y0), (x1, y1)] = *pair else {
             return None;

@@ -25,10 +25,11 @@ fn place(series: &super::spec::Series, point: Point) -> Cell {
         triangles: Some(triangles),
         objects: Some(objects),
         method: series.method.to_owned(),
-        variant: consistent
-            .then_some("determinism=consistent_triangle")
-            .unwrap_or_default()
-            .to_owned(),
+        variant: if consistent {
+            "determinism=consistent_triangle".to_owned()
+        } else {
+            String::new()
+        },
         width: info(&[], &[]).width,
         height: info(&[], &[]).height,
         counters: String::new(),
