@@ -14,7 +14,7 @@ pub(super) struct ReportArgs {
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
     /// Merge runs that differ in size, frames, program version or scale, in columns of their own
-    #[arg(long)]
+    #[arg(long, requires = "out")]
     force: bool,
 }
 

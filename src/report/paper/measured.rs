@@ -1,5 +1,7 @@
 //! From the rows of runs to the cells of the paper's tables.
 
+use std::cmp::Reverse;
+
 use super::sheet::{Cell, Column, Mask, Sheet, Source};
 use super::spec::{Point, Series, Spec};
 use crate::bench::record::{Status, Summary};
@@ -20,17 +22,24 @@ pub(super) fn fill(sheets: &mut [Sheet], groups: &[Group<'_>]) {
     }
 }
 
-/// The group's column from that one of its runs which has the most cells of the table, so that the
-/// numbers of a table come from one run; of equals the one that started last.
+/// The group's column from that one of its runs which has the most cells of the table, of equals the
+/// one that started last, so that numbers that both have come from one run. Of the other runs, those
+/// that share no cell with it complete the column.
 fn column(spec: &Spec, points: &[Point], group: &Group<'_>) -> Option<Column> {
     let started = |run: &Run| run.info.started.parse::<jiff::Timestamp>().ok();
-    group
+    let mut columns: Vec<_> = group
         .runs
         .iter()
         .map(|run| (of_run(spec, points, &group.label, run), started(run)))
         .filter(|(column, _)| column.count() > 0)
-        .max_by_key(|(column, started)| (column.count(), *started))
-        .map(|(column, _)| column)
+        .collect();
+    columns.sort_by_key(|(column, started)| Reverse((column.count(), *started)));
+    let mut columns = columns.into_iter().map(|(column, _)| column);
+    let mut fullest = columns.next()?;
+    for other in columns {
+        fullest.join(&other);
+    }
+    Some(fullest)
 }
 
 fn of_run(spec: &Spec, points: &[Point], device: &str, run: &Run) -> Column {
@@ -46,7 +55,7 @@ fn of_run(spec: &Spec, points: &[Point], device: &str, run: &Run) -> Column {
         source: Source::Paper,
         cells,
         variants,
-        run: run.dir.display().to_string(),
+        runs: vec![run.dir.display().to_string()],
     }
 }
 
@@ -95,5 +104,6 @@ fn cell(row: &Summary, frames: u32) -> Option<Cell> {
         // Runs from before these were recorded have nothing or zero here.
         record_ms: row.record_ms_median.filter(|record_ms| *record_ms > 0.0),
         draw_calls: row.draw_calls.filter(|draw_calls| *draw_calls > 0),
+        run: 0,
     })
 }

@@ -77,7 +77,7 @@ fn sheet(spec: &'static Spec) -> Result<Sheet> {
                 source: Source::Paper,
                 cells: vec![vec![None; points.len()]; spec.series.len()],
                 variants: vec![String::new(); spec.series.len()],
-                run: String::new(),
+                runs: Vec::new(),
             });
             columns.len() - 1
         });
@@ -92,6 +92,7 @@ fn sheet(spec: &'static Spec) -> Result<Sheet> {
                 mask: Mask::Published,
                 record_ms: None,
                 draw_calls: None,
+                run: 0,
             });
         }
     }

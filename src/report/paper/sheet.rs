@@ -25,8 +25,8 @@ pub struct Column {
     pub cells: Vec<Vec<Option<Cell>>>,
     /// By series: the variant measured; empty where it is the default.
     pub variants: Vec<String>,
-    /// The run directory that all its cells come from; empty for the paper.
-    pub run: String,
+    /// The run directories that its cells come from; none for the paper.
+    pub runs: Vec<String>,
 }
 
 /// Who measured a device.
@@ -49,6 +49,8 @@ pub struct Cell {
     pub record_ms: Option<f64>,
     /// Draw calls of a frame.
     pub draw_calls: Option<u32>,
+    /// Place of its run in [`Column::runs`].
+    pub run: usize,
 }
 
 /// What is known about the shadow mask behind a value.
@@ -138,6 +140,42 @@ impl Column {
         self.cells.get(series)?.get(point)?.as_ref()
     }
 
+    /// The run directory that a cell comes from; empty for the paper.
+    pub fn run_of(&self, cell: &Cell) -> &str {
+        self.runs.get(cell.run).map_or("", String::as_str)
+    }
+
+    /// Adds the cells of another run of the same device; `false` where they cannot stand together,
+    /// because both runs have a cell, or have a series in different variants.
+    pub(super) fn join(&mut self, other: &Self) -> bool {
+        let both =
+            |(own, others): (&Option<Cell>, &Option<Cell>)| own.is_some() && others.is_some();
+        let clash = (0..self.cells.len()).any(|series| {
+            let (own, others) = (&self.cells[series], &other.cells[series]);
+            let measured = |cells: &[Option<Cell>]| cells.iter().any(Option::is_some);
+            let variants = self.variants[series] != other.variants[series];
+            own.iter().zip(others).any(both) || (measured(own) && measured(others) && variants)
+        });
+        if clash {
+            return false;
+        }
+        let shift = self.runs.len();
+        for (series, others) in other.cells.iter().enumerate() {
+            for (own, cell) in self.cells[series].iter_mut().zip(others) {
+                let moved = cell.map(|cell| Cell {
+                    run: cell.run + shift,
+                    ..cell
+                });
+                *own = own.or(moved);
+            }
+            if self.variants[series].is_empty() {
+                self.variants[series].clone_from(&other.variants[series]);
+            }
+        }
+        self.runs.extend_from_slice(&other.runs);
+        true
+    }
+
     /// Whether the paper's authors measured it.
     pub fn is_published(&self) -> bool {
         self.source == Source::Paper
@@ -213,6 +251,12 @@ impl Sheet {
             notes.push("*: not in the paper.".to_owned());
         }
         for column in &self.columns {
+            if let runs @ 2.. = column.runs.len() {
+                notes.push(format!(
+                    "{}: from {runs} runs, which share no cell.",
+                    column.device
+                ));
+            }
             let variants = spec.series.iter().zip(&column.variants);
             let named: Vec<String> = variants
                 .map(|(series, variant)| (series.name, series.besides(variant)))

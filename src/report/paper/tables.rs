@@ -79,7 +79,7 @@ impl Sheet {
             draw_calls: cell.and_then(|cell| cell.draw_calls),
             svbench_method: if measured { what.method } else { "" },
             variant: &column.variants[series],
-            run: &column.run,
+            run: cell.map_or("", |cell| column.run_of(cell)),
         }
     }
 

@@ -423,8 +423,35 @@ fn the_numbers_of_a_table_come_from_the_fullest_run_and_of_equals_from_the_lates
     let paper = compare(&[part, late, early]);
     for sheet in &paper.sheets {
         assert_eq!(sheet.columns.len(), 3);
-        assert_eq!(sheet.columns[2].run, "late");
+        assert_eq!(sheet.columns[2].runs, ["late"]);
     }
+}
+
+#[test]
+fn runs_that_share_no_cell_of_a_table_complete_each_other() {
+    let scene = |wanted: Place| {
+        rows_like("GTX 680", move |table, _, point, fps| {
+            (table == 4 && point == Point::Scene(wanted)).then_some(fps)
+        })
+    };
+    let spheres = paper_run("spheres", "A GPU", &scene(Place::Spheres4M));
+    let sponza = paper_run("sponza", "A GPU", &scene(Place::Sponza));
+    let paper = compare(&[sponza.clone(), spheres.clone()]);
+    let column = paper.sheets[0].columns.last().unwrap();
+    assert_eq!((column.count(), column.runs.len()), (9, 2));
+    let csv = paper.sheets[0].csv().unwrap();
+    assert_eq!(csv.matches(",spheres\n").count(), 5, "{csv}");
+    assert_eq!(csv.matches(",sponza\n").count(), 4, "{csv}");
+    let notes = paper.sheets[0].notes().join("\n");
+    assert!(notes.contains("A GPU: from 2 runs"), "{notes}");
+
+    let mut other = sponza;
+    for row in &mut other.summaries {
+        row.variant = "slope_bias=9".to_owned();
+    }
+    let paper = compare(&[other, spheres]);
+    let column = paper.sheets[0].columns.last().unwrap();
+    assert_eq!(column.runs, ["spheres"], "a series has one variant");
 }
 
 #[test]
