@@ -206,6 +206,8 @@ fn several_runs_need_a_place_and_must_be_different() {
     assert!(error.contains("is given twice"), "{error}");
     let error = room.fail(&["a", "none", "--out", "out"], 1);
     assert!(error.contains("none is not a run directory"), "{error}");
+    let error = room.fail(&["a", "--force"], 2);
+    assert!(error.contains("--out"), "{error}");
     assert!(!room.path("out").exists());
 }
 
