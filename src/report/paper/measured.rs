@@ -13,11 +13,9 @@ use crate::report::load::Run;
 pub(super) fn fill(sheets: &mut [Sheet], groups: &[Group<'_>]) {
     for sheet in sheets {
         for (index, group) in groups.iter().enumerate() {
-            let column = column(sheet.spec, &sheet.points, group);
-            sheet.columns.extend(column.map(|column| Column {
-                source: Source::Measured(index),
-                ..column
-            }));
+            let source = Source::Measured(index);
+            let column = column(sheet.spec, &sheet.points, group, source);
+            sheet.columns.extend(column);
         }
     }
 }
@@ -25,12 +23,13 @@ pub(super) fn fill(sheets: &mut [Sheet], groups: &[Group<'_>]) {
 /// The group's column from that one of its runs which has the most cells of the table, of equals the
 /// one that started last, so that numbers that both have come from one run. Of the other runs, those
 /// that share no cell with it complete the column.
-fn column(spec: &Spec, points: &[Point], group: &Group<'_>) -> Option<Column> {
+fn column(spec: &Spec, points: &[Point], group: &Group<'_>, source: Source) -> Option<Column> {
+    let whose = (group.label.as_str(), source);
     let started = |run: &Run| run.info.started.parse::<jiff::Timestamp>().ok();
     let mut columns: Vec<_> = group
         .runs
         .iter()
-        .map(|run| (of_run(spec, points, &group.label, run), started(run)))
+        .map(|run| (of_run(spec, points, whose, run), started(run)))
         .filter(|(column, _)| column.count() > 0)
         .collect();
     columns.sort_by_key(|(column, started)| Reverse((column.count(), *started)));
@@ -42,7 +41,7 @@ fn column(spec: &Spec, points: &[Point], group: &Group<'_>) -> Option<Column> {
     Some(fullest)
 }
 
-fn of_run(spec: &Spec, points: &[Point], device: &str, run: &Run) -> Column {
+fn of_run(spec: &Spec, points: &[Point], (device, source): (&str, Source), run: &Run) -> Column {
     let mut cells = Vec::new();
     let mut variants = Vec::new();
     for series in spec.series {
@@ -52,7 +51,7 @@ fn of_run(spec: &Spec, points: &[Point], device: &str, run: &Run) -> Column {
     }
     Column {
         device: device.to_owned(),
-        source: Source::Paper,
+        source,
         cells,
         variants,
         runs: vec![run.dir.display().to_string()],
