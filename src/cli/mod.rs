@@ -36,7 +36,7 @@ enum Command {
     Render(render::RenderArgs),
     /// List methods, scenes and devices.
     List(list::ListArgs),
-    /// Write the report of a run directory again.
+    /// Write the report of a run directory again, or one of several runs together.
     Report(report::ReportArgs),
 }
 

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use tempfile::TempDir;
 
-use super::LegendEntry;
+use super::{LegendEntry, Run};
 use crate::bench::record::{
     Cell, DeviceRecord, ErrorSums, FORMAT, HostRecord, MethodRecord, RUN_FILE, RunInfo, RunStatus,
     SAMPLES_FILE, SUMMARY_FILE, Sample, SceneRecord, Status, Summary,
@@ -161,4 +161,49 @@ pub(super) fn made_up_run() -> TempDir {
     }
     write_run(dir.path(), &info, &all, &summaries);
     dir
+}
+
+/// A row measured at so many frames per second; `artifact_px` is `None` where it was not verified.
+pub(super) fn paper_row(cell: &Cell, fps: f64, artifact_px: Option<u64>) -> Summary {
+    let sample = Sample {
+        frame_ms: 1000.0 / fps,
+        record_ms: 0.5,
+        draw_calls: 12,
+        ..Sample::default()
+    };
+    let errors = artifact_px.map(|artifact_px| ErrorSums {
+        verified_frames: 2,
+        artifact_px,
+        ..ErrorSums::default()
+    });
+    let status = if artifact_px.is_some() {
+        Status::Ok
+    } else {
+        Status::Unverified
+    };
+    let samples = [sample.clone(), sample.clone(), sample];
+    Summary::from_samples(cell, &samples, errors.as_ref(), status, "")
+}
+
+/// A run of these rows, as read back from a directory of that name.
+pub(super) fn paper_run(dir: &str, device: &str, rows: &[Summary]) -> Run {
+    let mut info = info(&[], &[]);
+    info.device.name = device.to_owned();
+    for row in rows {
+        let method = MethodRecord {
+            id: row.method.clone(),
+            variant: row.variant.clone(),
+            ..MethodRecord::default()
+        };
+        if !info.methods.contains(&method) {
+            info.methods.push(method);
+        }
+    }
+    Run {
+        dir: dir.into(),
+        info,
+        samples: Vec::new(),
+        summaries: rows.to_vec(),
+        warnings: Vec::new(),
+    }
 }

@@ -23,6 +23,26 @@ pub fn fps(value: f64) -> String {
     format!("{value:.1}")
 }
 
+/// A change in percent, with its sign.
+pub fn percent(value: f64) -> String {
+    format!("{value:+.1} %")
+}
+
+/// How many times as much.
+pub fn factor(value: f64) -> String {
+    format!("×{value:.2}")
+}
+
+/// Frames per second in a table of the paper: as the paper has them, whole where they are many.
+pub fn paper_fps(value: f64) -> String {
+    match value {
+        v if v >= 100.0 => format!("{v:.0}"),
+        v if v >= 10.0 => format!("{v:.1}"),
+        v if v >= 0.1 => format!("{v:.2}"),
+        v => format!("{v:.4}"),
+    }
+}
+
 /// Pixels per verified frame. Only none at all is `0`: a pixel wrong in one frame of a thousand is
 /// still wrong and must not round to nothing.
 pub fn px_per_frame(sum_px: u64, frames: u32) -> String {

@@ -4,22 +4,32 @@
 //! can be made again at any time, by another version of the program, on another machine, and also
 //! for a run that was interrupted.
 //!
-//! One output a file: [`table`], [`plots`], [`html`]. An output reads a [`Run`] and knows nothing
-//! of the others, save that the page embeds the table's figures and the plots.
+//! One output a file: [`table`], [`plots`], [`paper`], [`html`]. An output reads a [`Run`] and knows
+//! nothing of the others, save that the page embeds the table's figures, the paper and the plots.
+//! [`merged`] puts several runs beside the paper.
 
 use std::path::{Path, PathBuf};
+use std::slice;
 
 use anyhow::{Context as _, Result};
 
+use paper::Paper;
+use plots::Plot;
+
 pub mod format;
+pub mod groups;
 pub mod html;
 pub mod load;
+pub mod merged;
+pub mod paper;
 pub mod plots;
 pub mod table;
 
+mod markdown;
 mod write;
 
 pub use load::Run;
+pub use merged::write_merged;
 
 /// Name of the Markdown table in a run directory.
 pub const TABLE_FILE: &str = "table.md";
@@ -45,20 +55,37 @@ pub fn write_all(dir: &Path, legend: &[LegendEntry]) -> Result<PathBuf> {
     let run = Run::read(dir)?;
     write::text(&dir.join(TABLE_FILE), &table::markdown(&run))?;
 
-    let plots = plots::draw(&run)?;
-    let plots_dir = dir.join(PLOTS_DIR);
-    std::fs::create_dir_all(&plots_dir)
-        .with_context(|| format!("cannot create {}", plots_dir.display()))?;
-    for plot in &plots {
-        write::text(&plots_dir.join(format!("{}.svg", plot.name)), &plot.svg)?;
-        write::replace(&plots_dir.join(format!("{}.png", plot.name)), |path| {
+    let groups = groups::group(slice::from_ref(&run), false)?;
+    let paper = Paper::compare(&groups)?;
+    paper::write(dir, paper.as_ref())?;
+    let mut plots = paper.as_ref().map_or(Ok(Vec::new()), plots::draw_paper)?;
+    plots.extend(plots::draw(&run)?);
+    write_plots(dir, &plots)?;
+
+    let page = dir.join(HTML_FILE);
+    let text = html::page(&run, paper.as_ref(), &plots, legend)?;
+    write::text(&page, &text)?;
+    Ok(page)
+}
+
+/// Writes the plots into the folder `plots` of `dir`, and removes figures of the paper that an
+/// earlier report wrote and this one does not.
+fn write_plots(dir: &Path, plots: &[Plot]) -> Result<()> {
+    let dir = dir.join(PLOTS_DIR);
+    std::fs::create_dir_all(&dir).with_context(|| format!("cannot create {}", dir.display()))?;
+    for plot in plots {
+        write::text(&dir.join(format!("{}.svg", plot.name)), &plot.svg)?;
+        write::replace(&dir.join(format!("{}.png", plot.name)), |path| {
             plot.write_png(path)
         })?;
     }
-
-    let page = dir.join(HTML_FILE);
-    write::text(&page, &html::page(&run, &plots, legend)?)?;
-    Ok(page)
+    for name in paper::figure_names() {
+        if plots.iter().all(|plot| plot.name != name) {
+            write::remove(&dir.join(format!("{name}.svg")))?;
+            write::remove(&dir.join(format!("{name}.png")))?;
+        }
+    }
+    Ok(())
 }
 
 #[cfg(test)]

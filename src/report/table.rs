@@ -1,9 +1,10 @@
-//! The results as a Markdown table, aligned so that it also reads well in a terminal.
+//! The results as a Markdown table.
 
 use crate::bench::record::{Status, Summary};
 
 use super::format::{count, fps, ms, px_per_frame};
 use super::load::Run;
+use super::markdown::{align, escape};
 
 const HEAD: [&str; 11] = [
     "Method",
@@ -35,7 +36,7 @@ pub fn markdown(run: &Run) -> String {
     if run.summaries.is_empty() {
         return "Nothing was measured.\n".to_owned();
     }
-    format!("{}\n{NOTES}\n", align(&rows))
+    format!("{}\n{NOTES}\n", align(&rows, &TEXT_COLUMNS))
 }
 
 fn group(run: &Run, scene: &str, first: Option<&Summary>) -> Vec<String> {
@@ -88,62 +89,4 @@ pub(super) fn status(row: &Summary) -> &'static str {
 
 fn text(value: Option<String>) -> String {
     value.unwrap_or_else(|| "–".to_owned())
-}
-
-/// `text` on one line, with the characters escaped that Markdown would read as markup.
-fn escape(text: &str) -> String {
-    let mut escaped = String::with_capacity(text.len());
-    for c in text.chars() {
-        match c {
-            '|' | '<' | '*' | '`' | '\\' => escaped.extend(['\\', c]),
-            '\n' | '\r' => escaped.push(' '),
-            _ => escaped.push(c),
-        }
-    }
-    escaped
-}
-
-/// The rows as Markdown, the first one the head, every column as wide as its widest cell; but the
-/// last one as wide as its head, lest one long reason make every line too long for a terminal.
-fn align(rows: &[Vec<String>]) -> String {
-    let width = |column: usize| {
-        let rows = if column + 1 == HEAD.len() {
-            &rows[..1]
-        } else {
-            rows
-        };
-        rows.iter()
-            .map(|row| row[column].chars().count())
-            .max()
-            .unwrap_or_default()
-            .max(3)
-    };
-    let widths: Vec<usize> = (0..HEAD.len()).map(width).collect();
-    let mut text = String::new();
-    for (index, row) in rows.iter().enumerate() {
-        let cells = row
-            .iter()
-            .zip(&widths)
-            .enumerate()
-            .map(|(column, (cell, width))| {
-                if TEXT_COLUMNS.contains(&column) {
-                    format!("{cell:<width$}")
-                } else {
-                    format!("{cell:>width$}")
-                }
-            });
-        text.push_str(&format!("| {} |\n", cells.collect::<Vec<_>>().join(" | ")));
-        if index == 0 {
-            let rules = widths.iter().enumerate().map(|(column, width)| {
-                let colon = if TEXT_COLUMNS.contains(&column) {
-                    "-"
-                } else {
-                    ":"
-                };
-                format!("{}{colon}", "-".repeat(width - 1))
-            });
-            text.push_str(&format!("| {} |\n", rules.collect::<Vec<_>>().join(" | ")));
-        }
-    }
-    text
 }

@@ -14,7 +14,7 @@ use crate::bench::record::{
 /// The page alone: PNGs take most of a report's time, and few tests read them.
 fn html_of(dir: &TempDir) -> String {
     let run = Run::read(dir.path()).unwrap();
-    html::page(&run, &plots::draw(&run).unwrap(), &LEGEND).unwrap()
+    html::page(&run, None, &plots::draw(&run).unwrap(), &LEGEND).unwrap()
 }
 
 #[test]

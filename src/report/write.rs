@@ -30,3 +30,13 @@ pub(super) fn replace(path: &Path, write: impl FnOnce(&Path) -> Result<()>) -> R
     }
     written
 }
+
+/// Removes a file that an earlier report may have left.
+pub(super) fn remove(path: &Path) -> Result<()> {
+    match fs::remove_file(path) {
+        Err(error) if error.kind() != std::io::ErrorKind::NotFound => {
+            Err(error).with_context(|| format!("cannot remove {}", path.display()))
+        }
+        _ => Ok(()),
+    }
+}

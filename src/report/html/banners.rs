@@ -41,11 +41,7 @@ pub(super) fn section(run: &Run) -> Markup {
         }
         @if run.info.device.is_software() {
             div.banner role="note" {
-                p {
-                    strong { "Software device." }
-                    " " (run.info.device.name) " renders on the processor. The pictures and error "
-                    "counts hold; the times say nothing about a GPU."
-                }
+                p { (software(&run.info.device.name)) }
             }
         }
         @if !unverified.is_empty() {
@@ -59,7 +55,17 @@ pub(super) fn section(run: &Run) -> Markup {
     }
 }
 
-fn unfinished(status: RunStatus) -> Option<&'static str> {
+/// What must be known of a device that is none.
+pub(super) fn software(device: &str) -> Markup {
+    html! {
+        strong { "Software device." }
+        " " (device) " renders on the processor. The pictures and error counts hold; the times say "
+        "nothing about a GPU."
+    }
+}
+
+/// What became of a run that is not complete.
+pub(super) fn unfinished(status: RunStatus) -> Option<&'static str> {
     match status {
         RunStatus::Complete => None,
         RunStatus::Running => Some("This run is still going, or was killed."),

@@ -9,23 +9,70 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 use super::LegendEntry;
 use super::format::count;
 use super::load::Run;
+use super::paper::Paper;
 use super::plots::Plot;
 
 mod banners;
 mod gallery;
+mod ledger;
+mod merged;
+mod paper;
 mod provenance;
 mod results;
+
+pub(super) use merged::page as merged_page;
 
 const STYLE: &str = include_str!("../report.css");
 
 /// The page of a run. Pictures are read from the run directory; one that is missing is left out.
-pub fn page(run: &Run, plots: &[Plot], legend: &[LegendEntry]) -> Result<String> {
+pub fn page(
+    run: &Run,
+    paper: Option<&Paper>,
+    plots: &[Plot],
+    legend: &[LegendEntry],
+) -> Result<String> {
     let title = if run.info.title.is_empty() {
         "Benchmark run"
     } else {
         &run.info.title
     };
     let gallery = gallery::section(run, legend)?;
+    let mut links = vec![("results", "Results")];
+    links.extend(links_to(paper, plots));
+    links.extend(gallery.is_some().then_some(("pictures", "Pictures")));
+    links.push(("provenance", "Provenance"));
+    let main = html! {
+        (banners::section(run))
+        (results::section(run))
+        (paper_sections(paper))
+        (plots_section(plots))
+        @if let Some(gallery) = gallery { (gallery) }
+        (provenance::section(run))
+    };
+    Ok(shell(title, &facts(run), &links, &main))
+}
+
+/// The links to the sections that pages of one run and of several have in common.
+fn links_to(paper: Option<&Paper>, plots: &[Plot]) -> Vec<(&'static str, &'static str)> {
+    let mut links = Vec::new();
+    if paper.is_some() {
+        links.extend([("paper", "The paper's tables"), ("ledger", "Its claims")]);
+    }
+    links.extend((!plots.is_empty()).then_some(("plots", "Plots")));
+    links
+}
+
+fn paper_sections(paper: Option<&Paper>) -> Markup {
+    html! {
+        @if let Some(paper) = paper {
+            (paper::section(&paper.sheets))
+            (ledger::section(&paper.ledger))
+        }
+    }
+}
+
+/// A page around its content: title, facts and links above `main`.
+fn shell(title: &str, facts: &Markup, links: &[(&str, &str)], main: &Markup) -> String {
     let page = html! {
         (DOCTYPE)
         html lang="en" {
@@ -40,25 +87,16 @@ pub fn page(run: &Run, plots: &[Plot], legend: &[LegendEntry]) -> Result<String>
                 header {
                     p.kicker { "svbench · hard-shadow benchmark" }
                     h1 { (title) }
-                    (facts(run))
+                    (facts)
                     nav aria-label="Sections" {
-                        a href="#results" { "Results" }
-                        @if !plots.is_empty() { a href="#plots" { "Plots" } }
-                        @if gallery.is_some() { a href="#pictures" { "Pictures" } }
-                        a href="#provenance" { "Provenance" }
+                        @for (id, name) in links { a href={ "#" (id) } { (name) } }
                     }
                 }
-                main {
-                    (banners::section(run))
-                    (results::section(run))
-                    (plots_section(plots))
-                    @if let Some(gallery) = gallery { (gallery) }
-                    (provenance::section(run))
-                }
+                main { (main) }
             }
         }
     };
-    Ok(page.into_string())
+    page.into_string()
 }
 
 /// What every number on the page depends on.

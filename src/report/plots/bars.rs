@@ -1,17 +1,17 @@
-//! Grouped bars: a group per scene, a bar per contender, a whisker up to the 95th percentile.
+//! Grouped bars: a bar per contender in each group, with a whisker where there is a spread.
 
 use anyhow::Result;
 use plotters::prelude::DrawingBackend;
 
 use super::axis::Axis;
 use super::canvas::{self, CENTER, Canvas, INK, LEFT, MUTED, PAPER, RIGHT, text_width_px};
-use super::legend::{self, Entry};
+use super::legend::{self, Key};
 use super::lines::Frame;
 use crate::report::load::Contender;
 
 const GROUP_NAME_PX: i32 = 13;
-/// Group names that cannot be broken to fit are turned upright and get this much room.
-const UPRIGHT_PX: i32 = 150;
+/// Group names that cannot be broken to fit are turned upright and get at most this much room.
+const UPRIGHT_PX: i32 = 220;
 const MAX_BAR_PX: i32 = 56;
 
 /// A chart of grouped bars.
@@ -20,12 +20,16 @@ pub(super) struct BarChart {
     pub(super) y: Axis,
     pub(super) contenders: Vec<Contender>,
     pub(super) groups: Vec<Group>,
+    /// What several groups side by side have in common, and how many those are; may be empty.
+    pub(super) bands: Vec<(String, usize)>,
 }
 
 /// The bars of one scene.
 #[derive(Debug)]
 pub(super) struct Group {
     pub(super) name: String,
+    /// Whether these are not results but others' numbers: drawn hollow, gaps without a word.
+    pub(super) hollow: bool,
     /// A bar per contender, in their order; `None` where nothing was measured.
     pub(super) bars: Vec<Option<Bar>>,
 }
@@ -33,8 +37,9 @@ pub(super) struct Group {
 /// A bar and its whisker.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Bar {
-    pub(super) median: f64,
-    pub(super) p95: f64,
+    pub(super) value: f64,
+    /// How far the whisker reaches, if there is one.
+    pub(super) whisker: Option<f64>,
 }
 
 /// Where a group of bars stands.
@@ -69,7 +74,9 @@ impl BarChart {
         let name_px = if names.is_some() {
             14 + 17 * lines
         } else {
-            UPRIGHT_PX
+            let names = self.groups.iter();
+            let longest = names.map(|group| text_width_px(&group.name, GROUP_NAME_PX));
+            longest.max().unwrap_or_default().min(UPRIGHT_PX)
         };
         let frame = Frame {
             left,
@@ -91,22 +98,35 @@ impl BarChart {
             )?;
         }
         canvas.line(vec![(left, frame.bottom), (right, frame.bottom)], MUTED, 1)?;
+        self.paint_bands(canvas, frame, group_px)?;
 
-        let entries = self
-            .contenders
-            .iter()
-            .enumerate()
-            .map(|(index, contender)| Entry {
-                index,
-                contender,
-                wanted_y: frame.top + index as i32,
-            });
-        legend::paint(
-            canvas,
-            entries.collect(),
-            right,
-            (frame.top - 10, height - 10),
-        )
+        let contenders = self.contenders.iter().enumerate();
+        let keys = contenders.map(|(index, contender)| (Key::of(index), contender));
+        let entries = legend::from_top(keys, frame.top);
+        legend::paint(canvas, entries, right, (frame.top - 10, height - 10))
+    }
+
+    /// Names the bands at the top of the frame, with a line between them.
+    fn paint_bands<DB: DrawingBackend>(
+        &self,
+        canvas: &Canvas<'_, DB>,
+        frame: Frame,
+        group_px: i32,
+    ) -> Result<()>
+    where
+        DB::ErrorType: 'static,
+    {
+        let mut left = frame.left;
+        for (name, groups) in &self.bands {
+            let right = left + *groups as i32 * group_px;
+            let at = ((left + right) / 2, frame.top - 10);
+            canvas.text(name, at, GROUP_NAME_PX, INK, CENTER)?;
+            if left > frame.left {
+                canvas.line(vec![(left, frame.top - 16), (left, frame.bottom)], MUTED, 1)?;
+            }
+            left = right;
+        }
+        Ok(())
     }
 
     fn paint_group<DB: DrawingBackend>(
@@ -127,8 +147,10 @@ impl BarChart {
         };
         for (index, bar) in group.bars.iter().enumerate() {
             match bar {
-                Some(bar) => self.paint_bar(canvas, frame, *bar, (index, slots))?,
-                None if pitch >= 12 => {
+                Some(bar) => {
+                    self.paint_bar(canvas, frame, *bar, (index, slots), group.hollow)?;
+                }
+                None if pitch >= 12 && !group.hollow => {
                     let at = (
                         slots.left + index as i32 * pitch + pitch / 2,
                         frame.bottom - 6,
@@ -147,6 +169,7 @@ impl BarChart {
         frame: Frame,
         bar: Bar,
         (index, slots): (usize, Slots),
+        hollow: bool,
     ) -> Result<()>
     where
         DB::ErrorType: 'static,
@@ -154,21 +177,26 @@ impl BarChart {
         let left = slots.left + index as i32 * slots.pitch;
         let right = left + (slots.pitch - (slots.pitch / 8).max(1)).max(1);
         let middle = (left + right) / 2;
-        let (top, whisker) = (frame.y(&self.y, bar.median), frame.y(&self.y, bar.p95));
+        let top = frame.y(&self.y, bar.value);
         canvas.rect([(left, top), (right, frame.bottom)], canvas::color(index))?;
-        if slots.pitch >= 12 && frame.bottom - top >= 20 {
+        if hollow {
+            let inside = [
+                (left + 2, (top + 2).min(frame.bottom)),
+                (right - 2, frame.bottom),
+            ];
+            canvas.rect(inside, PAPER)?;
+        } else if slots.pitch >= 12 && frame.bottom - top >= 20 {
             canvas.marker(index, (middle, frame.bottom - 10), 3, PAPER)?;
         }
-        canvas.line(vec![(middle, top), (middle, whisker)], INK, 1)?;
-        let cap = (slots.pitch / 6).clamp(1, 5);
-        canvas.line(
-            vec![(middle - cap, whisker), (middle + cap, whisker)],
-            INK,
-            1,
-        )?;
-        let value = three_digits(bar.median);
+        let end = bar.whisker.map_or(top, |end| frame.y(&self.y, end));
+        if bar.whisker.is_some() {
+            canvas.line(vec![(middle, top), (middle, end)], INK, 1)?;
+            let cap = (slots.pitch / 6).clamp(1, 5);
+            canvas.line(vec![(middle - cap, end), (middle + cap, end)], INK, 1)?;
+        }
+        let value = three_digits(bar.value);
         if text_width_px(&value, 12) <= slots.pitch + 6 {
-            canvas.text(&value, (middle, whisker - 9), 12, INK, CENTER)?;
+            canvas.text(&value, (middle, end - 9), 12, INK, CENTER)?;
         }
         Ok(())
     }

@@ -2,6 +2,7 @@
 
 use anyhow::Result;
 use plotters::coord::Shift;
+use plotters::element::DashedPathElement;
 use plotters::prelude::{
     Circle, Color, DrawingArea, DrawingBackend, FontDesc, FontTransform, IntoFont, PathElement,
     Polygon, RGBColor, Rectangle, ShapeStyle, TextStyle,
@@ -127,6 +128,21 @@ where
     pub(super) fn line(&self, points: Vec<Px>, color: RGBColor, width_px: u32) -> Result<()> {
         let points: Vec<Px> = points.into_iter().map(|at| self.scaled(at)).collect();
         let path = PathElement::new(points, self.stroke(color, width_px));
+        Ok(self.area.draw(&path)?)
+    }
+
+    /// A line of dashes, `dash_px` long and as far apart.
+    pub(super) fn dashed_line(
+        &self,
+        points: Vec<Px>,
+        color: RGBColor,
+        width_px: u32,
+        dash_px: i32,
+    ) -> Result<()> {
+        let points: Vec<Px> = points.into_iter().map(|at| self.scaled(at)).collect();
+        let dash_px = dash_px * self.scale;
+        let style = self.stroke(color, width_px);
+        let path = DashedPathElement::new(points, dash_px, dash_px, style);
         Ok(self.area.draw(&path)?)
     }
 

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::axis::Axis;
+use super::legend::Key;
 use super::lines::{Line, LineChart};
 use super::{Chart, Figure};
 use crate::bench::record::{Summary, file_safe};
@@ -26,7 +27,7 @@ fn figure(run: &Run, scene: &str) -> Option<Figure> {
         let points = along_flight(run, row);
         if points.len() >= 2 {
             lines.push(Line {
-                index,
+                key: Key::of(index),
                 contender,
                 points,
             });
@@ -44,7 +45,12 @@ fn figure(run: &Run, scene: &str) -> Option<Figure> {
     Some(Figure {
         name: format!("flight_{}", file_safe(scene)),
         title: format!("Shadow time along the flight, {}", run.scene_title(scene)),
-        chart: Chart::Lines(LineChart { x, y, lines }),
+        chart: Chart::Lines(LineChart {
+            x,
+            y,
+            lines,
+            keys: Vec::new(),
+        }),
     })
 }
 

@@ -1,9 +1,9 @@
 //! The legend: every contender's marker, colour and name to the right of the data.
 
 use anyhow::Result;
-use plotters::prelude::DrawingBackend;
+use plotters::prelude::{DrawingBackend, RGBColor};
 
-use super::canvas::{self, Canvas, INK, LEFT, MUTED, text_width_px};
+use super::canvas::{self, Canvas, INK, LEFT, MUTED, Px, text_width_px};
 use crate::report::load::Contender;
 
 const NAME_PX: i32 = 14;
@@ -13,11 +13,57 @@ const KEY_PX: i32 = 44;
 /// No legend takes more than this of a plot's width; longer names are cut.
 const MAX_TEXT_PX: i32 = 230;
 
+/// What a line looks like.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Key {
+    pub(super) color: RGBColor,
+    /// Number of the marker's shape.
+    pub(super) marker: Option<usize>,
+    /// Length of the dashes of a line that is context, not result: it is also thinner. `None` for a
+    /// solid line.
+    pub(super) dash_px: Option<i32>,
+}
+
+impl Key {
+    /// The colour and marker of the contender at this place in the run's list.
+    pub(super) fn of(index: usize) -> Self {
+        Self {
+            color: canvas::color(index),
+            marker: Some(index),
+            dash_px: None,
+        }
+    }
+
+    pub(super) fn line<DB: DrawingBackend>(
+        &self,
+        canvas: &Canvas<'_, DB>,
+        points: Vec<Px>,
+    ) -> Result<()>
+    where
+        DB::ErrorType: 'static,
+    {
+        match self.dash_px {
+            Some(dash_px) => canvas.dashed_line(points, self.color, 1, dash_px),
+            None => canvas.line(points, self.color, 2),
+        }
+    }
+
+    pub(super) fn marker<DB: DrawingBackend>(&self, canvas: &Canvas<'_, DB>, at: Px) -> Result<()>
+    where
+        DB::ErrorType: 'static,
+    {
+        let radius_px = if self.dash_px.is_some() { 3 } else { 4 };
+        self.marker.map_or(Ok(()), |marker| {
+            canvas.marker(marker, at, radius_px, self.color)
+        })
+    }
+}
+
 /// One contender's place in the legend.
 #[derive(Debug)]
 pub(super) struct Entry<'a> {
-    /// Place in the run's list of contenders: its colour and marker.
-    pub(super) index: usize,
+    /// What it looks like.
+    pub(super) key: Key,
     pub(super) contender: &'a Contender,
     /// The height at which its line ends, in pixels, to which the entry keeps as near as it can.
     pub(super) wanted_y: i32,
@@ -33,6 +79,20 @@ pub(super) fn width_px<'a>(contenders: impl Iterator<Item = &'a Contender>) -> i
         .max()
         .unwrap_or_default();
     KEY_PX + text_px.min(MAX_TEXT_PX) + 12
+}
+
+/// Entries one below the other from `top`, in their order.
+pub(super) fn from_top<'a>(
+    keys: impl Iterator<Item = (Key, &'a Contender)>,
+    top: i32,
+) -> Vec<Entry<'a>> {
+    keys.enumerate()
+        .map(|(index, (key, contender))| Entry {
+            key,
+            contender,
+            wanted_y: top + index as i32,
+        })
+        .collect()
 }
 
 /// Draws the legend at `left`, between `top` and `bottom`.
@@ -52,9 +112,9 @@ where
     let wanted: Vec<i32> = entries.iter().map(|entry| entry.wanted_y).collect();
     let places = spread(&wanted, if two_lines { 36 } else { 22 }, (top, bottom));
     for (entry, y) in entries.iter().zip(places) {
-        let color = canvas::color(entry.index);
-        canvas.line(vec![(left + 12, y), (left + KEY_PX - 8, y)], color, 2)?;
-        canvas.marker(entry.index, (left + KEY_PX / 2 + 2, y), 4, color)?;
+        let sample = vec![(left + 12, y), (left + KEY_PX - 8, y)];
+        entry.key.line(canvas, sample)?;
+        entry.key.marker(canvas, (left + KEY_PX / 2 + 2, y))?;
         let text_x = left + KEY_PX;
         let Contender { method, variant } = entry.contender;
         let name_y = if variant.is_empty() { y } else { y - 7 };

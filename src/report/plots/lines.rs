@@ -1,11 +1,11 @@
-//! Line charts: a line per contender, named at its end.
+//! Line charts: a line per contender, named at its end, or in a legend from the top.
 
 use anyhow::Result;
 use plotters::prelude::DrawingBackend;
 
 use super::axis::Axis;
-use super::canvas::{self, CENTER, Canvas, GRID, INK, MUTED, Px, RIGHT};
-use super::legend::{self, Entry};
+use super::canvas::{CENTER, Canvas, GRID, INK, MUTED, Px, RIGHT};
+use super::legend::{self, Entry, Key};
 use crate::report::load::Contender;
 
 /// Markers on a line with more points than this are thinned out to about this number.
@@ -17,13 +17,16 @@ pub(super) struct LineChart {
     pub(super) x: Axis,
     pub(super) y: Axis,
     pub(super) lines: Vec<Line>,
+    /// The legend's entries, where they are not the lines themselves: too many lines are told apart
+    /// by two things, such as a colour and a marker, and each of those has entries of its own.
+    pub(super) keys: Vec<(Key, Contender)>,
 }
 
 /// One contender's points, by ascending x.
 #[derive(Debug)]
 pub(super) struct Line {
-    /// Place in the run's list of contenders: its colour and marker.
-    pub(super) index: usize,
+    /// What it looks like.
+    pub(super) key: Key,
     pub(super) contender: Contender,
     pub(super) points: Vec<(f64, f64)>,
 }
@@ -71,7 +74,12 @@ impl LineChart {
         DB::ErrorType: 'static,
     {
         let (width, height) = canvas.size();
-        let legend_px = legend::width_px(self.lines.iter().map(|line| &line.contender));
+        let named = self.lines.iter().map(|line| &line.contender);
+        let legend_px = if self.keys.is_empty() {
+            legend::width_px(named)
+        } else {
+            legend::width_px(self.keys.iter().map(|(_, contender)| contender))
+        };
         let frame = Frame {
             left: 84,
             right: width - legend_px,
@@ -83,21 +91,28 @@ impl LineChart {
         for line in &self.lines {
             self.paint_line(canvas, frame, line)?;
         }
+        let entries = if self.keys.is_empty() {
+            self.entries_at_ends(frame)
+        } else {
+            legend::from_top(
+                self.keys.iter().map(|(key, contender)| (*key, contender)),
+                frame.top,
+            )
+        };
+        legend::paint(canvas, entries, frame.right, (frame.top - 10, height - 10))
+    }
+
+    fn entries_at_ends(&self, frame: Frame) -> Vec<Entry<'_>> {
         let entries = self.lines.iter().filter_map(|line| {
             let (_, end) = line.points.last()?;
             let wanted_y = frame.y(&self.y, *end);
             Some(Entry {
-                index: line.index,
+                key: line.key,
                 contender: &line.contender,
                 wanted_y,
             })
         });
-        legend::paint(
-            canvas,
-            entries.collect(),
-            frame.right,
-            (frame.top - 10, height - 10),
-        )
+        entries.collect()
     }
 
     fn paint_x_axis<DB: DrawingBackend>(&self, canvas: &Canvas<'_, DB>, frame: Frame) -> Result<()>
@@ -127,14 +142,14 @@ impl LineChart {
     where
         DB::ErrorType: 'static,
     {
-        let color = canvas::color(line.index);
         let place = |(x, y): &(f64, f64)| (frame.x(&self.x, *x), frame.y(&self.y, *y));
         let points: Vec<Px> = line.points.iter().map(place).collect();
-        canvas.line(points.clone(), color, 2)?;
+        line.key.line(canvas, points.clone())?;
         let step = points.len().div_ceil(MAX_MARKERS).max(1);
         // Lines begin their markers at different points, so that near ones do not hide each other.
-        for at in points.iter().skip((line.index * 3) % step).step_by(step) {
-            canvas.marker(line.index, *at, 4, color)?;
+        let first = (line.key.marker.unwrap_or_default() * 3) % step;
+        for at in points.iter().skip(first).step_by(step) {
+            line.key.marker(canvas, *at)?;
         }
         Ok(())
     }

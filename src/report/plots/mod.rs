@@ -1,7 +1,7 @@
 //! Plots of a run, each drawn by one function onto an SVG and onto a PNG.
 //!
-//! One plot a file: `shadow_time_by_triangles`, `flight`, `shadow_time_by_scene`. These choose the
-//! data; `lines` and `bars` draw it.
+//! One plot a file: `shadow_time_by_triangles`, `flight`, `shadow_time_by_scene`, `paper`. These
+//! choose the data; `lines` and `bars` draw it.
 
 use std::path::Path;
 use std::sync::Once;
@@ -13,6 +13,7 @@ use plotters::prelude::{
 use plotters::style::register_font;
 
 use super::load::Run;
+use super::paper::Paper;
 
 mod axis;
 mod bars;
@@ -20,6 +21,7 @@ mod canvas;
 mod flight;
 mod legend;
 mod lines;
+mod paper;
 mod shadow_time_by_scene;
 mod shadow_time_by_triangles;
 
@@ -61,6 +63,11 @@ pub fn draw(run: &Run) -> Result<Vec<Plot>> {
     figures.extend(shadow_time_by_scene::figure(run));
     figures.extend(flight::figures(run));
     figures.into_iter().map(Plot::new).collect()
+}
+
+/// Figures 5 to 8 of the paper: its curves and the measured ones in one picture.
+pub fn draw_paper(paper: &Paper) -> Result<Vec<Plot>> {
+    paper::figures(paper).into_iter().map(Plot::new).collect()
 }
 
 impl Plot {

@@ -18,11 +18,15 @@ pub(super) fn figure(run: &Run) -> Option<Figure> {
                 let index = contenders.iter().position(|other| *other == contender);
                 let bar = row.shadow_ms_median.zip(row.shadow_ms_p95);
                 if let (Some(index), Some((median, p95))) = (index, bar) {
-                    bars[index] = Some(Bar { median, p95 });
+                    bars[index] = Some(Bar {
+                        value: median,
+                        whisker: Some(p95),
+                    });
                 }
             }
             Group {
                 name: scene.to_owned(),
+                hollow: false,
                 bars,
             }
         })
@@ -34,7 +38,8 @@ pub(super) fn figure(run: &Run) -> Option<Figure> {
     let bars = groups.iter().flat_map(|group| group.bars.iter().flatten());
     let y = Axis::fit(
         "Shadow time, median and p95, ms",
-        bars.flat_map(|bar| [bar.median, bar.p95]),
+        bars.flat_map(|bar| [Some(bar.value), bar.whisker])
+            .flatten(),
     );
     Some(Figure {
         name: "shadow_time_by_scene".to_owned(),
@@ -43,6 +48,7 @@ pub(super) fn figure(run: &Run) -> Option<Figure> {
             y,
             contenders,
             groups,
+            bands: Vec::new(),
         }),
     })
 }

@@ -1,6 +1,7 @@
 //! Shadow time against the number of casting triangles, over scenes that differ in nothing else.
 
 use super::axis::Axis;
+use super::legend::Key;
 use super::lines::{Line, LineChart};
 use super::{Chart, Figure};
 use crate::bench::record::file_safe;
@@ -47,7 +48,7 @@ fn figure(run: &Run, family_name: &str) -> Option<Figure> {
         points.sort_by(|a, b| a.0.total_cmp(&b.0));
         if !points.is_empty() {
             lines.push(Line {
-                index,
+                key: Key::of(index),
                 contender,
                 points,
             });
@@ -69,7 +70,12 @@ fn figure(run: &Run, family_name: &str) -> Option<Figure> {
     Some(Figure {
         name: format!("shadow_time_by_triangles_{}", file_safe(family_name)),
         title: format!("Shadow time by casting triangles, {family_name}"),
-        chart: Chart::Lines(LineChart { x, y, lines }),
+        chart: Chart::Lines(LineChart {
+            x,
+            y,
+            lines,
+            keys: Vec::new(),
+        }),
     })
 }
 

@@ -1,0 +1,116 @@
+//! What the paper claims, from `results/published/milet2014_claims.toml`, which comes with the
+//! program.
+
+use anyhow::{Context as _, Result};
+use serde::Deserialize;
+
+use super::spec::Place;
+
+const FILE: &str = include_str!("../../../results/published/milet2014_claims.toml");
+
+/// A claim of the paper.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Claim {
+    /// A short name, unique.
+    pub id: String,
+    /// What is claimed, in a sentence.
+    pub text: String,
+    /// The numbers claimed, as the paper has them.
+    pub claimed: String,
+    /// What to know about the paper's own numbers; may be empty.
+    #[serde(default)]
+    pub note: String,
+    /// How the claim is held against numbers.
+    pub check: Check,
+}
+
+/// How a claim is held against numbers. Series are named as in the published tables.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields)]
+pub enum Check {
+    /// A series is faster than another by so many percent: FPS over FPS, less one.
+    SpeedUp {
+        /// The faster series.
+        series: String,
+        /// The slower one.
+        over: String,
+        /// The tables that have both. The claim's mean is held against the first.
+        tables: Vec<u8>,
+        /// The mean claimed.
+        mean_percent: f64,
+        /// The highest value claimed.
+        max_percent: f64,
+    },
+    /// A series is faster than others.
+    Faster {
+        /// Number of the table.
+        table: u8,
+        /// The faster series.
+        series: String,
+        /// The slower ones.
+        than: Vec<String>,
+        /// Where.
+        scenes: Vec<Place>,
+    },
+    /// A series is faster than another up to a number of triangles.
+    Crossover {
+        /// Number of the table.
+        table: u8,
+        /// The series that is faster at first.
+        series: String,
+        /// The one that is faster in the end.
+        than: String,
+        /// The number of triangles claimed.
+        triangles: u64,
+    },
+    /// A series reaches a share of another's FPS.
+    Share {
+        /// Number of the table.
+        table: u8,
+        /// Where.
+        scene: Place,
+        /// The slower series.
+        series: String,
+        /// The faster one.
+        of: String,
+        /// The shares claimed, one a device.
+        percent: Vec<f64>,
+    },
+    /// A series gains on another from a small scene to a large one.
+    Grows {
+        /// Number of the table.
+        table: u8,
+        /// The scene of less geometry.
+        small: Place,
+        /// The scene of more geometry.
+        large: Place,
+        /// Who gains on whom.
+        pairs: Vec<Pair>,
+    },
+}
+
+/// Two series compared.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Pair {
+    /// The series that gains.
+    pub series: String,
+    /// The series on which it gains.
+    pub over: String,
+}
+
+/// The paper's claims, in the file's order.
+///
+/// # Errors
+/// Where the file is damaged; the tests hold that it is not.
+pub fn claims() -> Result<Vec<Claim>> {
+    #[derive(Deserialize)]
+    #[serde(deny_unknown_fields)]
+    struct File {
+        claims: Vec<Claim>,
+    }
+    let file: File =
+        toml::from_str(FILE).context("results/published/milet2014_claims.toml is damaged")?;
+    Ok(file.claims)
+}

@@ -1,0 +1,147 @@
+//! Figures 5 to 8 of Milet et al. 2014, each the picture of a table: published and measured devices
+//! together.
+//!
+//! A line's colour says what is compared, its marker which device; lines of the paper are dashed and
+//! thin, its bars hollow.
+
+use super::axis::Axis;
+use super::bars::{Bar, BarChart, Group};
+use super::canvas::{self, INK};
+use super::legend::Key;
+use super::lines::{Line, LineChart};
+use super::{Chart, Figure};
+use crate::report::load::Contender;
+use crate::report::paper::Paper;
+use crate::report::paper::sheet::{Column, Sheet};
+
+/// Dashes of the first published device and of the others.
+const DASHES_PX: [i32; 2] = [7, 3];
+
+/// A figure for each table that was measured.
+pub(super) fn figures(paper: &Paper) -> Vec<Figure> {
+    paper.sheets.iter().map(figure).collect()
+}
+
+fn figure(sheet: &Sheet) -> Figure {
+    // A legend of lines shows its dashes; one of bars has nothing hollow to show.
+    let (chart, key) = if sheet.spec.series_are_rows {
+        (Chart::Bars(bars(sheet)), "; hollow: published")
+    } else {
+        (Chart::Lines(lines(sheet)), "")
+    };
+    let (number, what) = (sheet.spec.figure, sheet.spec.title);
+    Figure {
+        name: sheet.spec.figure_name(),
+        title: format!("Figure {number}: {what}{key}"),
+        chart,
+    }
+}
+
+fn lines(sheet: &Sheet) -> LineChart {
+    let mut lines = Vec::new();
+    for (device, column) in sheet.columns.iter().enumerate() {
+        for (series, what) in sheet.spec.series.iter().enumerate() {
+            let points: Vec<(f64, f64)> = sheet
+                .points
+                .iter()
+                .enumerate()
+                .filter_map(|(at, point)| {
+                    Some((point.number()? as f64, column.cell(series, at)?.fps))
+                })
+                .collect();
+            if !points.is_empty() {
+                lines.push(Line {
+                    key: Key {
+                        color: canvas::color(series),
+                        ..device_key(device, column)
+                    },
+                    contender: contender(what.name, &column.device),
+                    points,
+                });
+            }
+        }
+    }
+    // Measured lines lie over the published ones.
+    lines.sort_by_key(|line| line.key.dash_px.is_none());
+    let points = || lines.iter().flat_map(|line| line.points.iter().copied());
+    let x: Vec<f64> = points().map(|point| point.0).collect();
+    let y: Vec<f64> = points().map(|point| point.1).collect();
+    LineChart {
+        x: Axis::fit(sheet.spec.points, x.into_iter()),
+        y: Axis::fit("Frames per second", y.into_iter()),
+        keys: keys(sheet),
+        lines,
+    }
+}
+
+/// The colours, then the markers.
+fn keys(sheet: &Sheet) -> Vec<(Key, Contender)> {
+    let series = sheet.spec.series.iter().enumerate().map(|(index, what)| {
+        let key = Key {
+            marker: None,
+            ..Key::of(index)
+        };
+        (key, contender(what.name, ""))
+    });
+    let devices = sheet.columns.iter().enumerate().map(|(index, column)| {
+        let who = if column.is_published() {
+            "published"
+        } else {
+            "measured"
+        };
+        (device_key(index, column), contender(&column.device, who))
+    });
+    series.chain(devices).collect()
+}
+
+fn device_key(index: usize, column: &Column) -> Key {
+    let dash_px = DASHES_PX[index.min(DASHES_PX.len() - 1)];
+    Key {
+        color: INK,
+        marker: Some(index),
+        dash_px: column.is_published().then_some(dash_px),
+    }
+}
+
+fn contender(method: &str, variant: &str) -> Contender {
+    Contender {
+        method: method.to_owned(),
+        variant: variant.to_owned(),
+    }
+}
+
+/// The bars of each device, scene by scene.
+fn bars(sheet: &Sheet) -> BarChart {
+    let (mut groups, mut bands) = (Vec::new(), Vec::new());
+    for (at, point) in sheet.points.iter().enumerate() {
+        let devices = sheet.columns.iter().map(|column| group(column, at));
+        let measured = devices.filter(|group| group.bars.iter().any(Option::is_some));
+        let before = groups.len();
+        groups.extend(measured);
+        bands.push((point.name(), groups.len() - before));
+    }
+    let all = groups.iter().flat_map(|group| group.bars.iter().flatten());
+    let fps: Vec<f64> = all.map(|bar| bar.value).collect();
+    let names = sheet.spec.series.iter().map(|what| what.name);
+    BarChart {
+        y: Axis::fit("Frames per second", fps.into_iter()),
+        contenders: names.map(|name| contender(name, "")).collect(),
+        groups,
+        bands,
+    }
+}
+
+fn group(column: &Column, point: usize) -> Group {
+    let bar = |series| {
+        let cell = column.cell(series, point)?;
+        Some(Bar {
+            value: cell.fps,
+            whisker: None,
+        })
+    };
+    Group {
+        name: column.device.clone(),
+        hollow: column.is_published(),
+        bars: (0..column.cells.len()).map(bar).collect(),
+    }
+}
