@@ -16,6 +16,9 @@ pub(super) struct RunArgs {
     /// The run directory to write, new or empty (default: results/<date>-<config>-<device>)
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
+    /// Run the configuration at one of its scales: `full`, or one of its `[scales]`
+    #[arg(long, value_name = "NAME", default_value = "full")]
+    scale: String,
     /// Size of the picture instead of the configuration's
     #[arg(long, value_name = "WxH", value_parser = values::size)]
     size: Option<(u32, u32)>,
@@ -34,7 +37,7 @@ pub(super) struct RunArgs {
     reason = "the table and the report's path are this command's result"
 )]
 pub(super) fn execute(args: &RunArgs) -> anyhow::Result<()> {
-    let mut plan = RunPlan::read(&args.config)?;
+    let mut plan = RunPlan::read(&args.config, &args.scale)?;
     let overrides = Overrides {
         size_px: args.size,
         frames: args.frames,

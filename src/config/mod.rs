@@ -1,5 +1,7 @@
 //! From the TOML that a user writes to a validated plan of what to measure.
 
+mod method_tables;
+mod misplaced;
 mod overrides;
 mod run_file;
 mod scene_lookup;
@@ -45,7 +47,7 @@ pub struct RunPlan {
     pub path: String,
     /// Its text.
     pub text: String,
-    /// The scale that was chosen; empty for the full one.
+    /// The scale that was chosen; `full` for the configuration's own numbers.
     pub scale: String,
 }
 

@@ -1,16 +1,17 @@
 //! The run configuration's TOML.
 
+use super::method_tables::read_methods;
+use super::misplaced::{Misplaced, missing, twice};
 use super::{ConfigError, RunPlan, ScenePlan, find_scene, scene_lookup};
-use crate::methods::{self, ShadowMethod, parameters};
 use crate::scene::{SceneError, SphereGridError};
 use crate::toml_array::Exactly;
 use crate::toml_error;
 use serde::Deserialize;
+use std::collections::BTreeMap;
 use std::io::ErrorKind;
-use std::ops::Range;
 use std::path::Path;
 use toml::Spanned;
-use toml::de::{DeArray, DeTable, DeValue, Deserializer};
+use toml::de::{DeTable, Deserializer};
 
 /// Largest number of frames or rounds; more is a slip of the finger.
 const MOST_FRAMES: u32 = 1_000_000;
@@ -33,6 +34,8 @@ struct Wire {
     #[serde(default)]
     seed: u64,
     #[serde(default)]
+    scales: BTreeMap<String, ScaleWire>,
+    #[serde(default)]
     scenes: Vec<SceneWire>,
     /// Never read: taken out before. Here so that messages about unknown keys name it.
     #[serde(default, rename = "methods")]
@@ -46,6 +49,62 @@ struct SceneWire {
     rows: Option<u32>,
     columns: Option<u32>,
     slices: Option<Spanned<u32>>,
+    scales: Option<Vec<Spanned<String>>>,
+}
+
+/// What a smaller scale of the same run replaces.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct ScaleWire {
+    size: Option<Spanned<Exactly<u32, 2>>>,
+    frames: Option<Spanned<u32>>,
+    warmup_frames: Option<Spanned<u32>>,
+    verified_frames: Option<Spanned<u32>>,
+}
+
+/// The scale that a configuration's own numbers are.
+const FULL_SCALE: &str = "full";
+
+impl Wire {
+    /// Replaces what the scale `name` replaces, and leaves out the scenes that are not of it.
+    fn scale_to(&mut self, name: &str) -> Result<(), String> {
+        if let Some(scale) = self.scales.remove(name) {
+            self.size = scale.size.unwrap_or(self.size.clone());
+            self.frames = scale.frames.unwrap_or(self.frames.clone());
+            self.warmup_frames = scale.warmup_frames.unwrap_or(self.warmup_frames.clone());
+            self.verified_frames = scale
+                .verified_frames
+                .unwrap_or(self.verified_frames.clone());
+        } else if name != FULL_SCALE {
+            let known: Vec<_> = self.scales.keys().map(String::as_str).collect();
+            let all = [&known[..], &[FULL_SCALE]].concat();
+            let hint = toml_error::nearest(name, all.iter().copied())
+                .map(|nearest| format!("; did you mean `{nearest}`?"))
+                .unwrap_or_default();
+            return Err(format!(
+                "no scale `{name}`{hint} (this configuration has {})",
+                all.join(", ")
+            ));
+        }
+        self.scenes.retain(|scene| match &scene.scales {
+            None => true,
+            Some(scales) => scales.iter().any(|scale| scale.get_ref() == name),
+        });
+        if self.scenes.is_empty() {
+            return Err(format!("no scene is of the scale `{name}`"));
+        }
+        Ok(())
+    }
+
+    /// A scale that a scene names and the configuration does not have.
+    fn unknown_scale(&self) -> Option<&Spanned<String>> {
+        let named = self
+            .scenes
+            .iter()
+            .flat_map(|scene| scene.scales.iter().flatten());
+        let is_known = |name: &str| name == FULL_SCALE || self.scales.contains_key(name);
+        named.into_iter().find(|name| !is_known(name.get_ref()))
+    }
 }
 
 fn default_size() -> Spanned<Exactly<u32, 2>> {
@@ -64,36 +123,12 @@ fn default_verified() -> Spanned<u32> {
     Spanned::new(0..0, 2)
 }
 
-/// A complaint about a part of the text.
-struct Misplaced {
-    span: Option<Range<usize>>,
-    message: String,
-}
-
-impl Misplaced {
-    fn new(span: Range<usize>, message: impl Into<String>) -> Self {
-        Self {
-            span: Some(span),
-            message: message.into(),
-        }
-    }
-}
-
-impl From<toml::de::Error> for Misplaced {
-    fn from(error: toml::de::Error) -> Self {
-        Self {
-            span: error.span(),
-            message: toml_error::with_suggestion(error.message()),
-        }
-    }
-}
-
 impl RunPlan {
-    /// Reads and checks a configuration file, and the scene files that it names.
+    /// Reads and checks a configuration file at one of its scales, and the scene files that it names.
     ///
     /// # Errors
     /// What is wrong, with file, line and column.
-    pub fn read(path: &Path) -> Result<Self, ConfigError> {
+    pub fn read(path: &Path, scale: &str) -> Result<Self, ConfigError> {
         let name = path.display().to_string();
         let text = std::fs::read_to_string(path).map_err(|error| {
             let hint = match error.kind() {
@@ -105,15 +140,15 @@ impl RunPlan {
             ConfigError(format!("{name}: cannot be read: {error}{hint}"))
         })?;
         let base = path.parent().unwrap_or(Path::new(""));
-        Self::parse(&text, &name, base)
+        Self::parse(&text, &name, base, scale)
     }
 
     /// Checks the text of a configuration; `base` is the folder that scene paths start from.
     ///
     /// # Errors
     /// What is wrong, with file, line and column.
-    pub fn parse(text: &str, name: &str, base: &Path) -> Result<Self, ConfigError> {
-        let plan = parse(text, base).map_err(|Misplaced { span, message }| match span {
+    pub fn parse(text: &str, name: &str, base: &Path, scale: &str) -> Result<Self, ConfigError> {
+        let plan = parse(text, base, scale).map_err(|Misplaced { span, message }| match span {
             Some(span) => ConfigError(toml_error::at(&span, &message, text, name)),
             None => ConfigError(format!("{name}: {message}")),
         })?;
@@ -125,13 +160,21 @@ impl RunPlan {
     }
 }
 
-fn parse(text: &str, base: &Path) -> Result<RunPlan, Misplaced> {
+fn parse(text: &str, base: &Path, scale: &str) -> Result<RunPlan, Misplaced> {
     let mut document = DeTable::parse(text)?;
     let methods = read_methods(document.get_mut().remove("methods"))?;
-    let wire = Wire::deserialize(Deserializer::from(document))?;
+    let mut wire = Wire::deserialize(Deserializer::from(document))?;
     if wire.scenes.is_empty() {
         return Err(missing("scenes", "scene = \"sphere_grid\""));
     }
+    if let Some(name) = wire.unknown_scale() {
+        let message = format!("no `[scales.{}]` in this configuration", name.get_ref());
+        return Err(Misplaced::new(name.span(), message));
+    }
+    wire.scale_to(scale).map_err(|message| Misplaced {
+        span: None,
+        message: format!("--scale: {message}"),
+    })?;
     let in_range = |what: &Spanned<u32>, name: &str, least: u32, most: u32| {
         let value = *what.get_ref();
         if (least..=most).contains(&value) {
@@ -155,16 +198,8 @@ fn parse(text: &str, base: &Path) -> Result<RunPlan, Misplaced> {
         methods,
         path: String::new(),
         text: String::new(),
-        scale: String::new(),
+        scale: scale.to_owned(),
     })
-}
-
-fn missing(key: &str, example: &str) -> Misplaced {
-    let message = format!("no `[[{key}]]`: name at least one, for example `{example}`");
-    Misplaced {
-        span: None,
-        message,
-    }
 }
 
 fn read_scenes(wires: &[SceneWire], base: &Path) -> Result<Vec<ScenePlan>, Misplaced> {
@@ -178,12 +213,6 @@ fn read_scenes(wires: &[SceneWire], base: &Path) -> Result<Vec<ScenePlan>, Mispl
         scenes.push(scene);
     }
     Ok(scenes)
-}
-
-/// Results tell cells apart by scene, method and variant.
-fn twice(span: Range<usize>, what: &str, name: &str) -> Misplaced {
-    let message = format!("the {what} `{name}` is there already; remove one of the two");
-    Misplaced::new(span, message)
 }
 
 fn read_scene(wire: &SceneWire, base: &Path) -> Result<ScenePlan, Misplaced> {
@@ -212,68 +241,6 @@ fn read_scene(wire: &SceneWire, base: &Path) -> Result<ScenePlan, Misplaced> {
             })?;
     }
     Ok(ScenePlan { file, search })
-}
-
-fn read_methods(
-    value: Option<Spanned<DeValue<'_>>>,
-) -> Result<Vec<Box<dyn ShadowMethod>>, Misplaced> {
-    let example = "id = \"silhouette_ts\"";
-    let value = value.ok_or_else(|| missing("methods", example))?;
-    let span = value.span();
-    match value.into_inner() {
-        DeValue::Array(array) if array.is_empty() => Err(missing("methods", example)),
-        DeValue::Array(array) => read_distinct_methods(array),
-        _ => Err(Misplaced::new(
-            span,
-            "`methods` must be tables: `[[methods]]`",
-        )),
-    }
-}
-
-fn read_distinct_methods(array: DeArray<'_>) -> Result<Vec<Box<dyn ShadowMethod>>, Misplaced> {
-    let label = |method: &dyn ShadowMethod| {
-        let label = format!("{} {}", method.info().id, method.variant());
-        label.trim_end().to_owned()
-    };
-    let mut methods: Vec<Box<dyn ShadowMethod>> = Vec::new();
-    for entry in array {
-        let span = entry.span();
-        let method = read_method(entry)?;
-        let name = label(method.as_ref());
-        if methods
-            .iter()
-            .any(|earlier| label(earlier.as_ref()) == name)
-        {
-            return Err(twice(span, "method", &name));
-        }
-        methods.push(method);
-    }
-    Ok(methods)
-}
-
-fn read_method(entry: Spanned<DeValue<'_>>) -> Result<Box<dyn ShadowMethod>, Misplaced> {
-    let span = entry.span();
-    let DeValue::Table(mut table) = entry.into_inner() else {
-        return Err(Misplaced::new(
-            span,
-            "a method must be a table with an `id`",
-        ));
-    };
-    let id = table
-        .remove("id")
-        .ok_or_else(|| Misplaced::new(span.clone(), "this method has no `id`"))?;
-    let Some(name) = id.get_ref().as_str() else {
-        return Err(Misplaced::new(id.span(), "`id` must be a string"));
-    };
-    let registration = methods::find(name)
-        .ok_or_else(|| Misplaced::new(id.span(), parameters::unknown_method(name)))?;
-    (registration.configure)(Spanned::new(span.clone(), DeValue::Table(table))).map_err(|error| {
-        let message = toml_error::with_suggestion(&error.message);
-        Misplaced::new(
-            error.span.unwrap_or(span),
-            format!("method `{name}`: {message}"),
-        )
-    })
 }
 
 fn check_size((width, height): (u32, u32)) -> Result<(), String> {

@@ -23,7 +23,8 @@ pub(super) static INFO: MethodInfo = MethodInfo {
         Z_PASS_LIMIT,
         NONE_LIMIT,
         "front_cap=in_place: acne, where a cap and its own surface get depths that differ in the \
-         last bit",
+         last bit; push_back_px takes most of it away",
+        "passes=1: single wrong pixels at edges",
     ],
     parameters: &[
         (
@@ -40,9 +41,9 @@ pub(super) static INFO: MethodInfo = MethodInfo {
         ),
         (
             "push_back_px",
-            "0.001",
+            "1/512",
             "sides are pushed away by the change of their depth over so many pixels, 0 to 1; 0: as in \
-             the paper, with single wrong pixels at edges",
+             the paper, with some more wrong pixels at edges",
         ),
         DETERMINISM_PARAMETER,
         COUNTING_PARAMETER,
@@ -51,11 +52,10 @@ pub(super) static INFO: MethodInfo = MethodInfo {
 };
 
 /// Neighbouring triangles share a side quad, in opposite windings. Its two copies should cancel to the
-/// pixel, but the tessellator cuts them along different diagonals, or begins their triangles at different
-/// vertices, and they differ in the last bits of depth. That decides pixels close to their near edge,
-/// on the surface that they start from, which they are never in front of; pushed back by a fraction of the
-/// rasteriser's grid of 1/256 pixel, both are behind it.
-const PUSH_BACK_PX: f32 = 0.001;
+/// pixel, but the tessellator orders their vertices differently, and they differ in the last bits of depth.
+/// That decides pixels close to their near edge, on the surface that they start from, which they are never
+/// in front of: pushed back by half a step of the rasteriser's grid of 1/256 pixel, both are behind it.
+const PUSH_BACK_PX: f32 = 1.0 / 512.0;
 
 /// Where the front cap is that is drawn with the rest of the volume.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -132,7 +132,7 @@ impl ShadowMethod for TriangleTs {
         let faces = match self.passes {
             1 => vec![pushed_back(single(context, parameters, self.front_cap))],
             _ => vec![
-                pushed_back(part(context, parameters, 3)),
+                pushed_back(part(context, parameters, 4)),
                 Faces {
                     z_fail: Raster::CountAll,
                     in_z_pass: false,

@@ -45,7 +45,7 @@ pub struct RunInfo {
     pub config_path: String,
     /// The configuration, word for word.
     pub config_text: String,
-    /// The scale of the configuration that was run; empty for its full one.
+    /// The scale at which the configuration was run; empty in runs from before there were scales.
     #[serde(default)]
     pub scale: String,
     /// What the reader should know before trusting a number.
