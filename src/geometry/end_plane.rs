@@ -42,7 +42,7 @@ pub fn end_plane(scene: Bounds, casters: Bounds, light: Vec4) -> Vec4 {
             (of_light > 0.0).then(|| of_casters / of_light)
         } else {
             let cosine = inward.dot(light_at.normalize());
-            (cosine > 0.0).then(|| 1.0 - cosine)
+            (cosine > 0.0).then_some(1.0 - cosine)
         }?;
         (height <= MOST_HEIGHT).then(|| (height, inward.extend(distance).as_vec4()))
     });

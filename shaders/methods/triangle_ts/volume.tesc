@@ -1,11 +1,8 @@
 // Tessellation levels of one triangle (Milet et al. 2014, algorithm 1).
 //
-// INNER_LEVEL 4 makes a smaller triangle inside of the given one, and a ring around it that becomes the
+// INNER_LEVEL 3 makes a smaller triangle inside of the given one, and a ring around it that becomes the
 // side quads when the evaluation shader pushes the smaller one away; 1 leaves the triangle alone, the
 // front cap. Level 0 discards the patch: the triangle is edge-on to the light.
-//
-// The paper's inner level is 3. With 4 the smaller triangle has a point in the middle of each edge, by
-// which the evaluation shader says how the side quads are cut.
 #include "shared/frame.glsl"
 #include "shared/facing.glsl"
 
