@@ -222,6 +222,17 @@ fn a_configuration_is_refused_with_the_place_and_the_nearest_key() {
         ("sphere_grid", "sphere_gird", &["run.toml:9:9", "did you mean `sphere_grid`?"]),
         ("sphere_grid", "none.toml", &["run.toml:9:9", "no scene file `none.toml`", "known:"]),
         ("title = ", "title ", &["run.toml:1:"]),
+        ("slices = 8", "scales = [\"smole\"]", &["run.toml:10:11", "no `[scales.smole]`"]),
+        ("seed = 1", "[scales.smoke]\nframse = 1", &["run.toml:7:1", "did you mean `frames`?"]),
+        ("seed = 1", "[scales.full]\nframes = 0", &["run.toml:7:10", "`frames` is 0"]),
+        ("\"shadow_map\"\nresolution = 64", "\"silhouette_ts\"\ncounting = \"z-fail\"",
+         &["run.toml:14:12", "`z-fail`", "`z_fail`"]),
+        ("\"shadow_map\"\nresolution = 64", "\"silhouette_ts\"\nmax_multiplicity = 33",
+         &["run.toml:12:1", "from 1 to 32"]),
+        ("\"shadow_map\"\nresolution = 64", "\"triangle_ts\"\npasses = 3",
+         &["run.toml:12:1", "from 1 to 2"]),
+        ("\"shadow_map\"\nresolution = 64", "\"triangle_ts\"\nfront_cap = \"in_place\"",
+         &["run.toml:12:1", "needs `passes = 1`"]),
     ];
     for (from, to, parts) in table {
         refused(&room, &changed(CONFIG, from, to), &[], parts);
@@ -240,6 +251,10 @@ fn arguments_of_run_are_refused() {
         (&["--size", "64"], &["--size", "like 1024x768"]),
         (&["--size", "60000x48"], &["--size", "at most"]),
         (&["--frames", "0"], &["--frames", "1.."]),
+        (
+            &["--scale", "half"],
+            &["--scale", "no scale `half`", "has full"],
+        ),
         (&["--only", "shadow_mop"], &["did you mean `shadow_map`?"]),
         (&["--only", "silhouette_ts"], &["run.toml does not run"]),
     ];

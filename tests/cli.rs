@@ -144,6 +144,55 @@ fn only_size_and_frames_override_the_configuration() {
 }
 
 #[test]
+fn a_scale_replaces_numbers_and_leaves_scenes_out() {
+    let config = r#"
+title = "Scales"
+size = [64, 48]
+frames = 9
+warmup_frames = 0
+verified_frames = 0
+
+[scales.tiny]
+size = [16, 12]
+frames = 2
+
+[[scenes]]
+scene = "sphere_grid"
+slices = 8
+
+[[scenes]]
+scene = "sphere_grid"
+slices = 12
+scales = ["full"]
+
+[[methods]]
+id = "silhouette_gs"
+counting = "auto"
+max_multiplicity = 1
+"#;
+    let (_room, config, out) = workplace(config);
+    succeed(&["run", &config, "--scale", "tiny", "--out", &out]);
+    let info = std::fs::read_to_string(Path::new(&out).join("run.json")).unwrap();
+    let info: serde_json::Value = serde_json::from_str(&info).unwrap();
+    assert_eq!(
+        (&info["scale"], &info["width"]),
+        (&"tiny".into(), &16.into())
+    );
+    let cells = rows(&Path::new(&out).join("summary.csv"));
+    assert_eq!(cells.len(), 1, "{cells:?}");
+    assert_eq!(cells[0]["frames"], "2");
+    // 96 edges a sphere of 64 triangles, each split in two.
+    let counters = "edges=9600;edge_records=19200;extra_side_quads=";
+    assert!(cells[0]["counters"].starts_with(counters), "{cells:?}");
+    let record_ms: f64 = cells[0]["record_ms_median"].parse().unwrap();
+    let cpu_ms: f64 = cells[0]["cpu_ms_median"].parse().unwrap();
+    assert!(record_ms > 0.0 && record_ms <= cpu_ms, "{cells:?}");
+    // G-buffer with its pass over the picture, at least the sides, resolve, shading.
+    let draw_calls: u32 = cells[0]["draw_calls"].parse().unwrap();
+    assert!(draw_calls >= 101 + 1 + 100 + 2, "{draw_calls}");
+}
+
+#[test]
 fn the_report_can_be_made_again() {
     let (_dir, config, out) = workplace(CONFIG);
     succeed(&["run", &config, "--out", &out]);
@@ -277,7 +326,17 @@ fn lists_say_what_can_run_here() {
         .iter()
         .map(|m| m["id"].as_str().unwrap())
         .collect();
-    assert_eq!(ids, ["silhouette_ts", "silhouette_gs", "shadow_map"]);
+    assert_eq!(
+        ids,
+        [
+            "silhouette_ts",
+            "silhouette_gs",
+            "triangle_ts",
+            "triangle_gs",
+            "shadow_map",
+            "cube_shadow_map"
+        ]
+    );
     for method in all["methods"].as_array().unwrap() {
         assert_eq!(method["available"], true, "{method}");
         assert!(!method["limits"].as_array().unwrap().is_empty());
