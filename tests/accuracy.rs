@@ -31,8 +31,8 @@ const METHODS: [&str; 8] = [
     "silhouette_gs",
     "silhouette_ts,determinism=consistent_triangle,counting=auto",
     "silhouette_gs,determinism=consistent_triangle,reach=infinity",
-    "silhouette_ts,input=patch,counting=auto",
-    "silhouette_gs,input=patch,counting=auto",
+    "silhouette_ts,input=storage,counting=auto",
+    "silhouette_gs,input=storage,counting=auto",
     "triangle_gs",
     "triangle_ts,counting=auto",
 ];

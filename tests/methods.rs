@@ -21,8 +21,8 @@ const POINT_LIGHT: Vec4 = Vec4::new(2.0, 9.0, 1.5, 1.0);
 const SILHOUETTES: [&str; 4] = [
     "silhouette_ts",
     "silhouette_gs",
-    "silhouette_ts,input=patch",
-    "silhouette_gs,input=patch",
+    "silhouette_ts,input=storage",
+    "silhouette_gs,input=storage",
 ];
 const TRIANGLES: [&str; 3] = ["triangle_ts", "triangle_ts,passes=1", "triangle_gs"];
 
@@ -158,8 +158,8 @@ fn a_fan_of_any_number_of_pages_is_right() {
                 "silhouette_ts,max_multiplicity=1",
                 "silhouette_ts,max_multiplicity=7",
                 "silhouette_gs,max_multiplicity=3",
-                "silhouette_gs,max_multiplicity=64",
-                "silhouette_ts,input=patch,max_multiplicity=5",
+                "silhouette_gs,max_multiplicity=64,input=storage",
+                "silhouette_ts,input=storage,max_multiplicity=5",
                 "silhouette_ts,determinism=consistent_triangle",
                 "silhouette_gs,determinism=consistent_triangle,reach=infinity",
             ],
@@ -268,7 +268,7 @@ fn splitting_edges_is_counted() {
         let prepared = parse_method(method).unwrap().prepare(&context).unwrap();
         prepared.counters()
     };
-    let whole = counters("silhouette_gs,max_multiplicity=64");
+    let whole = counters("silhouette_gs,max_multiplicity=64,input=storage");
     assert_eq!(
         whole,
         [("edges", 81), ("edge_records", 81), ("extra_side_quads", 0)]
@@ -276,7 +276,7 @@ fn splitting_edges_is_counted() {
     let split = counters("silhouette_ts,max_multiplicity=1");
     assert_eq!(split[1], ("edge_records", 80 + 40));
     assert!(split[2].1 > 0, "{split:?}");
-    let patch = counters("silhouette_ts,input=patch");
+    let patch = counters("silhouette_ts");
     assert_eq!(patch[1], ("edge_records", 80 + 2));
     assert!(patch[2].1 < split[2].1, "{patch:?} {split:?}");
     assert_eq!(patch[3], ("patch_vertices", 32));

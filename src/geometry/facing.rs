@@ -34,19 +34,14 @@ pub enum Determinism {
 }
 
 impl Determinism {
-    /// The facing of a triangle as a whole, as caps take it: see [`facing`].
+    /// The facing of a triangle, see [`facing`]; with [`Self::None`], as its edge from `a` to `b` takes
+    /// it.
     pub fn facing(self, a: Vec3, b: Vec3, c: Vec3, light: Vec4) -> i32 {
         match self {
             Self::ReferenceEdge => facing(a, b, c, light),
             Self::ConsistentTriangle => by_sorting([a, b, c], light, consistent_facing),
             Self::None => -light_plane_side(a, b, c, light),
         }
-    }
-
-    /// The facing of a triangle as its edge from `a` to `b` takes it, `a` before `b` in the vertex
-    /// order.
-    pub fn facing_of_edge(self, a: Vec3, b: Vec3, opposite: Vec3, light: Vec4) -> i32 {
-        self.facing(a, b, opposite, light)
     }
 }
 

@@ -26,8 +26,8 @@ pub(super) static INFO: MethodInfo = MethodInfo {
         (
             "max_multiplicity",
             "32",
-            "most opposite vertices of one primitive, 1 to 64 (4 with input=patch); edges with more \
-             are split",
+            "most opposite vertices of one primitive, 1 to 64 (4 at most with input=patch); edges \
+             with more are split",
         ),
     ],
 };

@@ -29,7 +29,7 @@ pub(super) static INFO: MethodInfo = MethodInfo {
         (
             "max_multiplicity",
             "32",
-            "most opposite vertices of one patch, 1 to 32 (30 with input=patch); edges with more \
+            "most opposite vertices of one patch, 1 to 32 (30 at most with input=patch); edges with more \
              are split",
         ),
     ],

@@ -61,8 +61,7 @@ impl EdgeRecords {
         let at = |vertex: u32| mesh.positions[vertex as usize];
         let quads = |edge: Edge| {
             let opposites = topology.opposites_of(edge).iter();
-            let facing =
-                |o: &u32| determinism.facing_of_edge(at(edge.a), at(edge.b), at(*o), light);
+            let facing = |o: &u32| determinism.facing(at(edge.a), at(edge.b), at(*o), light);
             u64::from(opposites.map(facing).sum::<i32>().unsigned_abs())
         };
         let extra = |edge: &Edge| parts(*edge, self.limit).map(quads).sum::<u64>() - quads(*edge);

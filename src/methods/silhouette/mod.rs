@@ -38,12 +38,12 @@ pub(super) trait SideStage: 'static {
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub(super) enum EdgeInput {
-    /// As its number; the shaders fetch end points and opposite vertices from storage buffers.
-    #[default]
-    Storage,
     /// As a patch of vertices, end points and opposite ones, through vertex and element buffers (Milet
     /// et al. 2014, figure 4).
+    #[default]
     Patch,
+    /// As its number; the shaders fetch end points and opposite vertices from storage buffers.
+    Storage,
 }
 
 /// The parameters of both methods.
@@ -75,8 +75,8 @@ impl<S> Default for Silhouette<S> {
 /// See [`MethodInfo::parameters`].
 pub(super) const INPUT_PARAMETER: (&str, &str, &str) = (
     "input",
-    "storage",
-    "how an edge comes to the shaders: storage (its number; they fetch), patch (its vertices)",
+    "patch",
+    "how an edge comes to the shaders: patch (its vertices), storage (its number; they fetch)",
 );
 
 impl<S: SideStage> Parameters for Silhouette<S> {
