@@ -3,8 +3,8 @@
 use std::hint::black_box;
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use glam::Vec4;
-use svbench::geometry::{Topology, facing};
+use glam::{DVec3, Vec4};
+use svbench::geometry::{Bounds, NearVolume, Topology, facing};
 use svbench::scene::sphere_grid::SphereGrid;
 
 const LARGEST: SphereGrid = SphereGrid {
@@ -62,6 +62,28 @@ fn facing_of_a_million(criterion: &mut Criterion) {
     group.finish();
 }
 
+/// What `counting = "auto"` decides in every frame.
+fn near_volume_of_many_objects(criterion: &mut Criterion) {
+    let Ok(mesh) = MANY_OBJECTS.mesh() else {
+        return;
+    };
+    let boxes = Bounds::of_objects(&mesh);
+    let light = Vec4::new(8.0, 45.0, 12.0, 1.0);
+    let corner = |x: f64, y: f64| DVec3::new(18.0 + 0.1 * x, 12.0 + 0.1 * y, 18.0);
+    let corners = [
+        corner(-1., -1.),
+        corner(1., -1.),
+        corner(1., 1.),
+        corner(-1., 1.),
+    ];
+    criterion.bench_function("near volume/15600 objects", |bencher| {
+        bencher.iter(|| {
+            let volume = NearVolume::new(black_box(corners), light);
+            boxes.iter().filter(|b| volume.may_meet(**b)).count()
+        });
+    });
+}
+
 fn grids() -> [(&'static str, SphereGrid); 3] {
     [
         ("100 objects, 1.96M triangles", LARGEST),
@@ -70,5 +92,11 @@ fn grids() -> [(&'static str, SphereGrid); 3] {
     ]
 }
 
-criterion_group!(benches, generation, topology, facing_of_a_million);
+criterion_group!(
+    benches,
+    generation,
+    topology,
+    facing_of_a_million,
+    near_volume_of_many_objects
+);
 criterion_main!(benches);

@@ -224,7 +224,7 @@ fn a_configuration_is_refused_with_the_place_and_the_nearest_key() {
         ("title = ", "title ", &["run.toml:1:"]),
         ("slices = 8", "scales = [\"smole\"]", &["run.toml:10:11", "no `[scales.smole]`"]),
         ("seed = 1", "[scales.smoke]\nframse = 1", &["run.toml:7:1", "did you mean `frames`?"]),
-        ("seed = 1", "[scales.full]\nframes = 0", &["run.toml:7:10", "`frames` is 0"]),
+        ("seed = 1", "[scales.full]\nframes = 2", &["run.toml:", "`[scales.full]`", "rename"]),
         ("\"shadow_map\"\nresolution = 64", "\"silhouette_ts\"\ncounting = \"z-fail\"",
          &["run.toml:14:12", "`z-fail`", "`z_fail`"]),
         ("\"shadow_map\"\nresolution = 64", "\"silhouette_ts\"\nmax_multiplicity = 33",

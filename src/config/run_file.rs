@@ -167,6 +167,14 @@ fn parse(text: &str, base: &Path, scale: &str) -> Result<RunPlan, Misplaced> {
     if wire.scenes.is_empty() {
         return Err(missing("scenes", "scene = \"sphere_grid\""));
     }
+    if wire.scales.contains_key(FULL_SCALE) {
+        let message =
+            "`[scales.full]`: `full` is the configuration's own numbers; rename the scale";
+        return Err(Misplaced {
+            span: None,
+            message: message.to_owned(),
+        });
+    }
     if let Some(name) = wire.unknown_scale() {
         let message = format!("no `[scales.{}]` in this configuration", name.get_ref());
         return Err(Misplaced::new(name.span(), message));

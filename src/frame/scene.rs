@@ -90,10 +90,12 @@ impl SceneBuffers {
     pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>, objects: &[Range<u32>]) -> u32 {
         pass.set_vertex_buffer(0, self.positions.slice(..));
         pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint32);
-        for triangles in objects {
+        let mut draw_calls = 0;
+        for triangles in objects.iter().filter(|triangles| !triangles.is_empty()) {
+            draw_calls += 1;
             let first = triangles.start;
             pass.draw_indexed(3 * first..3 * triangles.end, 0, first..first + 1);
         }
-        objects.len() as u32
+        draw_calls
     }
 }

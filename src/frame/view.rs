@@ -45,7 +45,7 @@ impl SceneExtents {
 pub struct FrameView {
     /// World to clip space, as the device uses it, to the bit.
     pub view_projection: Mat4,
-    /// See [`Vec4`] in [`crate::scene::Scene::light`].
+    /// See [`crate::scene::Scene::light`].
     pub light: Vec4,
     /// The plane on which shadow volumes may end, see [`end_plane`].
     pub end_plane: Vec4,

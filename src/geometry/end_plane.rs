@@ -14,6 +14,10 @@ pub const AT_INFINITY: Vec4 = Vec4::W;
 /// The plane lies this part of the scene's size beyond the scene.
 const MARGIN: f64 = 1e-3;
 
+/// And at least this part of the largest coordinate: far from the origin, the shaders' single precision
+/// must still tell the plane from the scene.
+const ROUNDING: f64 = 1e-5;
+
 /// A caster at this part of the light's distance from the plane is the farthest from the plane that is
 /// allowed: beyond it, far ends would be flung too far away, and above it there would be none.
 const MOST_HEIGHT: f64 = 0.9;
@@ -29,12 +33,14 @@ pub fn end_plane(scene: Bounds, casters: Bounds, light: Vec4) -> Vec4 {
     }
     let size = (scene.high - scene.low).max_element();
     let light_at = light.truncate().as_dvec3();
+    let largest = scene.low.abs().max(scene.high.abs()).max_element();
+    let margin = (MARGIN * size).max(ROUNDING * largest.max(light_at.abs().max_element()));
     let is_point = light.w != 0.0;
     let sides = [DVec3::X, DVec3::Y, DVec3::Z]
         .into_iter()
         .flat_map(|axis| [axis, -axis]);
     let candidates = sides.filter_map(|inward| {
-        let distance = MARGIN * size - scene.range_along(inward).0;
+        let distance = margin - scene.range_along(inward).0;
         // Smaller is better: how far the farthest ends are flung.
         let height = if is_point {
             let of_light = inward.dot(light_at) + distance;
@@ -82,6 +88,22 @@ mod tests {
         assert_eq!(end_plane(SCENE, CASTERS, among), AT_INFINITY);
         assert_eq!(end_plane(SCENE, SCENE, among), AT_INFINITY);
         assert_eq!(end_plane(Bounds::EMPTY, Bounds::EMPTY, among), AT_INFINITY);
+    }
+
+    #[test]
+    fn far_from_the_origin_the_plane_is_still_beyond_the_scene() {
+        let shift = DVec3::new(1e5, -3e5, 2e5);
+        let moved = |bounds: Bounds| Bounds {
+            low: bounds.low + shift,
+            high: bounds.high + shift,
+        };
+        let light = (DVec3::new(3.0, 20.0, 5.0) + shift).as_vec3().extend(1.0);
+        let plane = end_plane(moved(SCENE), moved(CASTERS), light);
+        let lowest = (SCENE.low + shift).as_vec3().extend(1.0);
+        // As the shaders compute it.
+        let terms = plane * lowest;
+        let of_lowest = terms.x + terms.y + terms.z + terms.w;
+        assert!(of_lowest > 0.5, "{plane} {of_lowest}");
     }
 
     #[test]

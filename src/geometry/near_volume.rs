@@ -12,6 +12,9 @@ use glam::{DVec3, Vec4};
 /// are rounded to 24 bits several times on their way to the screen.
 const MARGIN: f64 = 1e-5;
 
+/// An axis whose cosine with the direction of a light at infinity is smaller is taken to be across it.
+const ACROSS: f64 = 1e-12;
+
 /// The convex hull of the near rectangle and the light.
 ///
 /// Separation is tested along some axes only. Any axis that separates proves that nothing of a box is
@@ -46,11 +49,12 @@ impl NearVolume {
                     (l.min(d), h.max(d))
                 });
             if !is_point {
-                // The volume goes on for ever towards the light, but for axes across it.
+                // The volume goes on for ever towards the light, but for axes across it; these are
+                // normals of its sides, and across it but for rounding in double precision.
                 let slope = axis.dot(light_point.normalize());
-                if slope > MARGIN {
+                if slope > ACROSS {
                     high = f64::INFINITY;
-                } else if slope < -MARGIN {
+                } else if slope < -ACROSS {
                     low = f64::NEG_INFINITY;
                 }
             }
@@ -124,6 +128,15 @@ mod tests {
         assert!(volume.may_meet(cube(DVec3::new(0.0, 300.0, 400.0), 1.0)));
         assert!(!volume.may_meet(cube(DVec3::new(0.0, -300.0, -400.0), 1.0)));
         assert!(!volume.may_meet(cube(DVec3::new(3.0, 300.0, 400.0), 1.0)));
+    }
+
+    #[test]
+    fn a_light_at_infinity_that_is_nearly_along_an_axis_still_slopes() {
+        let near = rectangle(DVec3::ZERO, DVec3::Y, DVec3::Z);
+        let volume = NearVolume::new(near, Vec4::new(1.0, 9e-6, 0.0, 0.0));
+        // So far away that the slope has left the near rectangle's own height behind.
+        assert!(volume.may_meet(cube(DVec3::new(1e6, 9.0, 0.0), 0.5)));
+        assert!(!volume.may_meet(cube(DVec3::new(1e6, 60.0, 0.0), 0.5)));
     }
 
     fn vector(size: f32) -> impl Strategy<Value = Vec3> {

@@ -50,7 +50,7 @@ pub(super) const STENCIL: Requirement = Requirement::StencilBuffer;
 
 /// What every volume method cannot do.
 pub(super) const COUNTER_LIMIT: &str =
-    "counts in 8 bits: wrong where 256 or a multiple of it volumes overlap in front of a surface";
+    "counts in 8 bits: wrong at a point that is in 256 shadow volumes, or a multiple of it";
 /// What `counting = "z_pass"` cannot do.
 pub(super) const Z_PASS_LIMIT: &str =
     "counting=z_pass: wrong where the eye or a part of the near rectangle is in a shadow volume";
@@ -109,7 +109,8 @@ pub(super) struct Faces {
     pub push_back_px: f32,
     /// How they are counted in z-fail.
     pub z_fail: Raster,
-    /// Whether z-pass needs them: caps, which are never in front of what is visible, it does not.
+    /// Whether they are drawn in z-pass. Caps, which are never in front of what is visible, need not be,
+    /// and are only where they come with the sides in one draw.
     pub in_z_pass: bool,
 }
 

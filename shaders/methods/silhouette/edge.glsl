@@ -3,6 +3,8 @@
 // PATCH_OPPOSITES: where it is defined, an edge comes as a patch of vertices, its two end points and so
 // many opposite vertices; the first end point stands for those that there are not, and adds nothing.
 // Otherwise it comes as a number.
+//
+// To be included after the input layout of a geometry shader, which sizes the input arrays.
 #include "shared/frame.glsl"
 #include "shared/facing.glsl"
 

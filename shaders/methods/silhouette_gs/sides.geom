@@ -12,7 +12,6 @@ layout(lines_adjacency) in;
 layout(triangles_adjacency) in;
 #endif
 layout(triangle_strip, max_vertices = 4 * MAX_MULTIPLICITY) out;
-// After the layout, which sizes the input array.
 #include "methods/silhouette/edge.glsl"
 
 void main() {

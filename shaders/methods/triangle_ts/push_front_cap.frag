@@ -6,6 +6,7 @@ layout(depth_less) out float gl_FragDepth;
 void main() {
     // Constant 0 on the front cap. On a side, at its near edge, it may round to 0 as well, but changes from
     // pixel to pixel.
-    bool on_front_cap = farness == 0.0 && fwidth(farness) == 0.0;
+    float change = fwidth(farness); // outside of any branch, where derivatives are undefined
+    bool on_front_cap = farness == 0.0 && change == 0.0;
     gl_FragDepth = on_front_cap ? 0.0 : gl_FragCoord.z;
 }

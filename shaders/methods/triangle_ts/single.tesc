@@ -1,20 +1,10 @@
 // Tessellation levels of one triangle whose whole shadow volume comes from one patch (Milet et al. 2014,
 // section 2.1 and figure 3): a row of five quads. Level 0 discards the patch: the triangle is edge-on to
 // the light.
-#include "shared/frame.glsl"
-#include "shared/facing.glsl"
-
-layout(vertices = 1) out;
-layout(location = 0) in vec3 position[];
-// Wound so that they look counter-clockwise from the light.
-layout(location = 0) patch out vec3 corners[3];
+#include "methods/triangle_ts/corners.glsl"
 
 void main() {
-    int side = facing(position[0], position[1], position[2], frame.light);
-    corners[0] = position[0];
-    corners[1] = side < 0 ? position[2] : position[1];
-    corners[2] = side < 0 ? position[1] : position[2];
-    float across = side == 0 ? 0.0 : 1.0;
+    float across = hand_on_corners() ? 1.0 : 0.0;
     gl_TessLevelOuter[0] = across;
     gl_TessLevelOuter[1] = 5.0;
     gl_TessLevelOuter[2] = across;

@@ -10,18 +10,18 @@
     reason = "native Vulkan calls; each block states why it is sound"
 )]
 
+mod bindings;
 mod geometry;
 mod open;
 mod pass;
 mod pipeline;
 mod target;
 
+pub use bindings::{BindingKind, Bindings};
 pub use geometry::IndexedGeometry;
 pub use open::{Opened, StageSupport, open, support};
 pub use pass::NativePass;
-pub use pipeline::{
-    BindingKind, Bindings, Pipeline, PipelineDesc, PrimitiveTopology, Raster, VertexInput,
-};
+pub use pipeline::{Pipeline, PipelineDesc, PrimitiveTopology, Raster, VertexInput};
 pub use target::Target;
 
 use wgpu::hal::api::Vulkan;

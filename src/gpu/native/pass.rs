@@ -1,7 +1,8 @@
 //! Recording native draws.
 
+use super::bindings::Bindings;
 use super::geometry::IndexedGeometry;
-use super::pipeline::{Bindings, Pipeline};
+use super::pipeline::Pipeline;
 use super::target::Target;
 use ash::vk;
 use std::ops::Range;

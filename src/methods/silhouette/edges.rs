@@ -104,9 +104,19 @@ pub(super) struct EdgePatches {
 }
 
 impl EdgePatches {
-    /// `opposites_per_patch` must be at least [`EdgeRecords::most_opposites`].
-    pub(super) fn new(records: &EdgeRecords, opposites: &[u32], opposites_per_patch: u32) -> Self {
+    /// `opposites_per_patch` must be at least [`EdgeRecords::most_opposites`]. `None` if the indices
+    /// would take more than `most_bytes`.
+    pub(super) fn new(
+        records: &EdgeRecords,
+        opposites: &[u32],
+        opposites_per_patch: u32,
+        most_bytes: u64,
+    ) -> Option<Self> {
         let vertices_per_patch = 2 + opposites_per_patch;
+        let count = records.edges.len() as u64 * u64::from(vertices_per_patch);
+        if count > u64::from(u32::MAX) || 4 * count > most_bytes {
+            return None;
+        }
         let mut indices = Vec::with_capacity(records.edges.len() * vertices_per_patch as usize);
         for edge in &records.edges {
             let first = edge.first_opposite as usize;
@@ -118,11 +128,11 @@ impl EdgePatches {
         }
         let scaled =
             |range: &Range<u32>| range.start * vertices_per_patch..range.end * vertices_per_patch;
-        Self {
+        Some(Self {
             indices,
             vertices_per_patch,
             objects: records.objects.iter().map(scaled).collect(),
-        }
+        })
     }
 }
 
@@ -176,7 +186,9 @@ mod tests {
     fn patches_are_filled_with_their_first_vertex() {
         let (mesh, topology) = example();
         let records = EdgeRecords::new(&mesh, &topology, 3);
-        let patches = EdgePatches::new(&records, &topology.opposites, 4);
+        let patches = |most_bytes| EdgePatches::new(&records, &topology.opposites, 4, most_bytes);
+        assert!(patches(4 * 30 - 1).is_none());
+        let patches = patches(4 * 30).unwrap();
         assert_eq!(patches.vertices_per_patch, 6);
         assert_eq!(patches.indices[..12], [0, 1, 0, 1, 0, 0, 0, 1, 2, 3, 4, 0]);
         assert_eq!(patches.objects, [0..24, 24..30]);

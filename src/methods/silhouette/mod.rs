@@ -121,7 +121,10 @@ impl<S: SideStage> ShadowMethod for Silhouette<S> {
             EdgeInput::Storage => Self::sides_by_number(context, parameters, edges),
             EdgeInput::Patch => {
                 let (topology, opposites) = S::patch(edges.most_opposites());
-                let patches = EdgePatches::new(&edges, &context.topology().opposites, opposites);
+                let most_bytes = context.gpu.device.limits().max_buffer_size;
+                let patches =
+                    EdgePatches::new(&edges, &context.topology().opposites, opposites, most_bytes)
+                        .ok_or_else(too_many_patches)?;
                 counters.push(("patch_vertices", patches.vertices_per_patch.into()));
                 let sides = Self::sides_by_patch(context.gpu, parameters, topology, patches);
                 (sides, Vec::new())
@@ -196,6 +199,12 @@ impl<S: SideStage> Silhouette<S> {
             in_z_pass: true,
         }
     }
+}
+
+fn too_many_patches() -> MethodError {
+    let advice = "this scene's edges do not fit into one buffer as patches of vertices: use a smaller \
+                  max_multiplicity, or input=storage";
+    MethodError::Unavailable(advice.to_owned())
 }
 
 /// A buffer; Vulkan has no empty ones, so an empty scene gets a few bytes nobody reads.

@@ -1,0 +1,133 @@
+//! The buffers that native shaders read.
+
+use super::{NativeError, raw_device, wait_idle};
+use ash::vk;
+use wgpu::hal::api::Vulkan;
+
+/// How a shader sees a buffer.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum BindingKind {
+    /// `uniform` block, std140.
+    Uniform,
+    /// `buffer` block, std430.
+    Storage,
+}
+
+/// Descriptor set 0: buffers at bindings 0, 1, 2, ... in the order given.
+pub struct Bindings {
+    pub(super) layout: vk::PipelineLayout,
+    pub(super) set: vk::DescriptorSet,
+    set_layout: vk::DescriptorSetLayout,
+    pool: vk::DescriptorPool,
+    raw: ash::Device,
+    device: wgpu::Device,
+    _buffers: Vec<wgpu::Buffer>,
+}
+
+impl Bindings {
+    /// Binds whole buffers, visible to every graphics stage.
+    ///
+    /// # Errors
+    /// When the device does not run on Vulkan or is out of memory.
+    pub fn new(
+        device: &wgpu::Device,
+        buffers: &[(BindingKind, &wgpu::Buffer)],
+    ) -> Result<Self, NativeError> {
+        let raw = raw_device(device)?;
+        let kinds: Vec<_> = buffers
+            .iter()
+            .map(|(kind, _)| descriptor_type(*kind))
+            .collect();
+        let slots: Vec<_> = (0..)
+            .zip(&kinds)
+            .map(|(binding, kind)| {
+                vk::DescriptorSetLayoutBinding::default()
+                    .binding(binding)
+                    .descriptor_count(1)
+                    .descriptor_type(*kind)
+                    .stage_flags(vk::ShaderStageFlags::ALL_GRAPHICS)
+            })
+            .collect();
+        let sizes: Vec<_> = kinds
+            .iter()
+            .map(|&ty| vk::DescriptorPoolSize {
+                ty,
+                descriptor_count: 1,
+            })
+            .collect();
+        let layout_info = vk::DescriptorSetLayoutCreateInfo::default().bindings(&slots);
+        let pool_info = vk::DescriptorPoolCreateInfo::default()
+            .max_sets(1)
+            .pool_sizes(&sizes);
+        // SAFETY: the create infos point to arrays that live until after the calls, and every
+        // handle passed was made by the same device in a call before.
+        let (set_layout, pool, layout, set) = unsafe {
+            let set_layout = raw.create_descriptor_set_layout(&layout_info, None)?;
+            let pool = raw.create_descriptor_pool(&pool_info, None)?;
+            let set_layouts = [set_layout];
+            let layout = raw.create_pipeline_layout(
+                &vk::PipelineLayoutCreateInfo::default().set_layouts(&set_layouts),
+                None,
+            )?;
+            let sets = raw.allocate_descriptor_sets(
+                &vk::DescriptorSetAllocateInfo::default()
+                    .descriptor_pool(pool)
+                    .set_layouts(&set_layouts),
+            )?;
+            (set_layout, pool, layout, sets[0])
+        };
+        for (binding, ((_, buffer), kind)) in (0..).zip(buffers.iter().zip(&kinds)) {
+            // SAFETY: the clones kept in `_buffers` outlive every use of the descriptor set.
+            unsafe {
+                let handle = buffer
+                    .as_hal::<Vulkan>()
+                    .ok_or(NativeError::NotVulkan)?
+                    .raw_handle();
+                let infos = [vk::DescriptorBufferInfo {
+                    buffer: handle,
+                    offset: 0,
+                    range: vk::WHOLE_SIZE,
+                }];
+                let write = vk::WriteDescriptorSet::default()
+                    .dst_set(set)
+                    .dst_binding(binding)
+                    .descriptor_type(*kind)
+                    .buffer_info(&infos);
+                raw.update_descriptor_sets(&[write], &[]);
+            }
+        }
+        let _buffers = buffers
+            .iter()
+            .map(|(_, buffer)| (*buffer).clone())
+            .collect();
+        Ok(Self {
+            layout,
+            set,
+            set_layout,
+            pool,
+            raw,
+            device: device.clone(),
+            _buffers,
+        })
+    }
+}
+
+impl Drop for Bindings {
+    fn drop(&mut self) {
+        wait_idle(&self.device);
+        // SAFETY: nothing that was submitted still runs, and these handles are ours alone.
+        unsafe {
+            self.raw.destroy_pipeline_layout(self.layout, None);
+            self.raw.destroy_descriptor_pool(self.pool, None);
+            self.raw
+                .destroy_descriptor_set_layout(self.set_layout, None);
+        }
+    }
+}
+
+fn descriptor_type(kind: BindingKind) -> vk::DescriptorType {
+    match kind {
+        BindingKind::Uniform => vk::DescriptorType::UNIFORM_BUFFER,
+        BindingKind::Storage => vk::DescriptorType::STORAGE_BUFFER,
+    }
+}
