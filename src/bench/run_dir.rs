@@ -1,11 +1,11 @@
 //! Writing a run directory.
 //!
-//! `samples.csv` grows row by row, each flushed as measured, so that a run that dies keeps what it
+//! `samples.csv` and `errors.csv` grow row by row, each flushed as measured, so that a run that dies keeps what it
 //! has. Everything else is written to a temporary file and renamed: a file that is there is whole.
 
 use super::record::{
-    IMAGES_DIR, ImageKind, RUN_FILE, RunInfo, SAMPLES_FILE, SUMMARY_FILE, Sample, Summary,
-    image_name,
+    ERRORS_FILE, FrameError, IMAGES_DIR, ImageKind, RUN_FILE, RunInfo, SAMPLES_FILE, SUMMARY_FILE,
+    Sample, Summary, image_name,
 };
 use anyhow::{Context, bail};
 use std::fs::File;
@@ -15,6 +15,7 @@ use std::path::{Path, PathBuf};
 pub(super) struct RunDir {
     path: PathBuf,
     samples: csv::Writer<File>,
+    errors: csv::Writer<File>,
 }
 
 impl RunDir {
@@ -29,12 +30,15 @@ impl RunDir {
         let images = path.join(IMAGES_DIR);
         std::fs::create_dir_all(&images)
             .with_context(|| format!("cannot create {}", images.display()))?;
-        let samples = path.join(SAMPLES_FILE);
-        let samples = csv::Writer::from_path(&samples)
-            .with_context(|| format!("cannot create {}", samples.display()))?;
+        let table = |name| {
+            let path = path.join(name);
+            csv::Writer::from_path(&path)
+                .with_context(|| format!("cannot create {}", path.display()))
+        };
         Ok(Self {
             path: path.to_owned(),
-            samples,
+            samples: table(SAMPLES_FILE)?,
+            errors: table(ERRORS_FILE)?,
         })
     }
 
@@ -49,6 +53,12 @@ impl RunDir {
     pub(super) fn append(&mut self, sample: &Sample) -> anyhow::Result<()> {
         self.samples.serialize(sample)?;
         self.samples.flush().context("cannot write samples.csv")
+    }
+
+    /// Appends a row to `errors.csv` and makes sure that it is there.
+    pub(super) fn append_error(&mut self, error: &FrameError) -> anyhow::Result<()> {
+        self.errors.serialize(error)?;
+        self.errors.flush().context("cannot write errors.csv")
     }
 
     /// Writes `summary.csv`, over the one before.

@@ -2,10 +2,11 @@
 
 use super::measure::{Measured, Schedule, measure};
 use super::record::{
-    Cell, EdgeRecord, ErrorSums, ImageKind, MethodRecord, Sample, SceneRecord, Status, Summary,
-    counters_to_text, stages_to_text,
+    Cell, EdgeRecord, FrameError, ImageKind, MethodRecord, Sample, SceneRecord, Status, Summary,
+    counts_to_text, stages_to_text,
 };
 use super::run_dir::RunDir;
+use super::verify::Judgement;
 use super::{RunRequest, Verifier};
 use crate::config::ScenePlan;
 use crate::frame::{GBUFFER_STAGE, SHADE_STAGE, Stage};
@@ -26,7 +27,7 @@ struct CellRun<'a> {
     method: &'a dyn ShadowMethod,
     cell: Cell,
     state: State,
-    errors: ErrorSums,
+    errors: Vec<FrameError>,
     samples: Vec<Sample>,
     stages: Vec<String>,
 }
@@ -92,7 +93,7 @@ fn not_loaded(request: &RunRequest<'_>, plan: &ScenePlan, error: SceneError) -> 
             .plan
             .methods
             .iter()
-            .map(|method| Summary::from_samples(&cell(method.as_ref()), &[], None, status, &reason))
+            .map(|method| Summary::from_samples(&cell(method.as_ref()), &[], &[], status, &reason))
             .collect(),
         warnings: Vec::new(),
     }
@@ -190,12 +191,12 @@ fn prepare<'a>(
             width: request.plan.size_px.0,
             height: request.plan.size_px.1,
             counters: match &state {
-                State::Ready(prepared) => counters_to_text(&prepared.counters()),
+                State::Ready(prepared) => counts_to_text(prepared.counters()),
                 State::Not(..) => String::new(),
             },
         },
         state,
-        errors: ErrorSums::default(),
+        errors: Vec::new(),
         samples: Vec::new(),
         stages: Vec::new(),
     }
@@ -208,7 +209,7 @@ fn verify(
     scene: &Scene,
     stage: &Stage,
     cells: &mut [CellRun<'_>],
-    dir: &RunDir,
+    dir: &mut RunDir,
 ) -> anyhow::Result<()> {
     let verifier = Verifier::new(request.gpu, scene, stage, request.cache)?;
     let size_px = request.plan.size_px;
@@ -240,13 +241,9 @@ fn verify(
                 .phase(&format!("{}: verifying {}", scene.name, run.cell.method));
             let mask = verifier.draw_mask(prepared.as_ref())?;
             let judgement = verifier.judge(&mask, &truth)?;
-            let (sums, error) = (&mut run.errors, judgement.error);
-            sums.verified_frames += 1;
-            sums.false_lit += error.false_lit;
-            sums.false_shadowed += error.false_shadowed;
-            sums.artifact_px += error.artifact_px;
-            sums.boundary_px += error.boundary_px;
-            sums.ambiguous_px += error.ambiguous_px;
+            let error = frame_error(&run.cell, i as u32, time_s, &judgement);
+            dir.append_error(&error)?;
+            run.errors.push(error);
             if i == 0 {
                 let picture = verifier.read_picture()?;
                 let cell = (&*scene.name, &*run.cell.method, &*run.cell.variant);
@@ -259,6 +256,26 @@ fn verify(
         }
     }
     Ok(())
+}
+
+fn frame_error(cell: &Cell, frame: u32, time_s: f64, judgement: &Judgement) -> FrameError {
+    let error = &judgement.error;
+    FrameError {
+        scene: cell.scene.clone(),
+        method: cell.method.clone(),
+        variant: cell.variant.clone(),
+        width: cell.width,
+        height: cell.height,
+        frame,
+        time_s,
+        false_lit: error.false_lit,
+        false_shadowed: error.false_shadowed,
+        boundary_px: error.boundary_px,
+        artifact_px: error.artifact_px,
+        ambiguous_px: error.ambiguous_px,
+        compared_px: error.compared_px,
+        ..FrameError::default()
+    }
 }
 
 fn measure_cells(
@@ -356,6 +373,7 @@ impl CellRun<'_> {
             variant: self.cell.variant.clone(),
             title: self.method.info().title.to_owned(),
             stages: self.stages.clone(),
+            sweep: None,
         }
     }
 
@@ -366,7 +384,6 @@ impl CellRun<'_> {
             State::Ready(_) if !verified => (Status::Unverified, ""),
             State::Ready(_) => (Status::Ok, ""),
         };
-        let errors = (self.errors.verified_frames > 0).then_some(&self.errors);
-        Summary::from_samples(&self.cell, &self.samples, errors, status, reason)
+        Summary::from_samples(&self.cell, &self.samples, &self.errors, status, reason)
     }
 }

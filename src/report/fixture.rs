@@ -7,7 +7,7 @@ use tempfile::TempDir;
 
 use super::{LegendEntry, Run};
 use crate::bench::record::{
-    Cell, DeviceRecord, ErrorSums, FORMAT, HostRecord, MethodRecord, RUN_FILE, RunInfo, RunStatus,
+    Cell, DeviceRecord, FORMAT, FrameError, HostRecord, MethodRecord, RUN_FILE, RunInfo, RunStatus,
     SAMPLES_FILE, SUMMARY_FILE, Sample, SceneRecord, Status, Summary,
 };
 
@@ -132,21 +132,16 @@ pub(super) fn made_up_run() -> TempDir {
         for (method, shadow_ms, artifact_px) in [("fast", 2.0, 1234), ("slow", 5.0, 0)] {
             let cell = cell(&info, scene, method, triangles);
             let own = samples(&cell, shadow_ms * triangles as f64 / 1000.0);
-            let errors = ErrorSums {
-                verified_frames: 2,
+            let wrong = FrameError {
                 false_lit: artifact_px + 3,
                 artifact_px,
                 boundary_px: 3,
                 ambiguous_px: 17,
-                ..ErrorSums::default()
+                ..FrameError::default()
             };
-            summaries.push(Summary::from_samples(
-                &cell,
-                &own,
-                Some(&errors),
-                Status::Ok,
-                "",
-            ));
+            let errors = [wrong, FrameError::default()];
+            let row = Summary::from_samples(&cell, &own, &errors, Status::Ok, "");
+            summaries.push(row);
             all.extend(own);
         }
         let cell = cell(&info, scene, "absent", triangles);
@@ -154,7 +149,7 @@ pub(super) fn made_up_run() -> TempDir {
         summaries.push(Summary::from_samples(
             &cell,
             &[],
-            None,
+            &[],
             Status::Unavailable,
             reason,
         ));
@@ -171,18 +166,18 @@ pub(super) fn paper_row(cell: &Cell, fps: f64, artifact_px: Option<u64>) -> Summ
         draw_calls: 12,
         ..Sample::default()
     };
-    let errors = artifact_px.map(|artifact_px| ErrorSums {
-        verified_frames: 2,
+    let wrong = |artifact_px| FrameError {
         artifact_px,
-        ..ErrorSums::default()
-    });
+        ..FrameError::default()
+    };
+    let errors = artifact_px.map_or(Vec::new(), |px| vec![wrong(px), wrong(0)]);
     let status = if artifact_px.is_some() {
         Status::Ok
     } else {
         Status::Unverified
     };
     let samples = [sample.clone(), sample.clone(), sample];
-    Summary::from_samples(cell, &samples, errors.as_ref(), status, "")
+    Summary::from_samples(cell, &samples, &errors, status, "")
 }
 
 /// A run of these rows, as read back from a directory of that name.

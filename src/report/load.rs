@@ -197,7 +197,7 @@ fn unsummed(samples: &[Sample], summaries: &[Summary]) -> Vec<Summary> {
             height: sample.height,
             ..Cell::default()
         };
-        let blank = Summary::from_samples(&cell, &[], None, Status::Unverified, "");
+        let blank = Summary::from_samples(&cell, &[], &[], Status::Unverified, "");
         let own: Vec<Sample> = samples
             .iter()
             .filter(|s| is_of(s, &blank))
@@ -207,7 +207,7 @@ fn unsummed(samples: &[Sample], summaries: &[Summary]) -> Vec<Summary> {
         rows.push(Summary::from_samples(
             &cell,
             &own,
-            None,
+            &[],
             Status::Unverified,
             reason,
         ));

@@ -94,7 +94,7 @@ fn names_cannot_break_out_of_the_outputs() {
     let info = info(&[HOSTILE], &[HOSTILE]);
     let cell = cell(&info, HOSTILE, HOSTILE, 10);
     let own = samples(&cell, 2.0);
-    let summary = Summary::from_samples(&cell, &own, None, Status::Unverified, "a|b\n<img src=x>");
+    let summary = Summary::from_samples(&cell, &own, &[], Status::Unverified, "a|b\n<img src=x>");
     write_run(dir.path(), &info, &own, &[summary]);
     let page = html_of(&dir);
     assert!(

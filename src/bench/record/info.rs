@@ -152,6 +152,20 @@ pub struct MethodRecord {
     pub title: String,
     /// Names of the stages timed, in the order in which they run.
     pub stages: Vec<String>,
+    /// The curve that it is a point of, if a list of values in the configuration made it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sweep: Option<SweepRecord>,
+}
+
+/// A point of a sweep: one of the values that a configuration lists for a parameter.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct SweepRecord {
+    /// Variant of the method without the swept parameter: with the id, the curve's name.
+    pub curve: String,
+    /// The swept parameter.
+    pub parameter: String,
+    /// Its value here.
+    pub value: f64,
 }
 
 /// What became of a cell or a scene.

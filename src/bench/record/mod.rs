@@ -9,19 +9,23 @@
 //! | `run.json` | [`RunInfo`]: where the numbers come from |
 //! | `samples.csv` | a [`Sample`] per measured frame |
 //! | `summary.csv` | a [`Summary`] per cell |
+//! | `errors.csv` | a [`FrameError`] per verified frame |
+//! | `regions.csv` | a [`RegionRow`] per large region of artifact pixels |
+//! | `bias.csv` | a [`BiasRow`] per cell whose bias was searched for |
 //! | `images/` | pictures, named by [`image_name`] |
 
+mod errors;
 mod images;
 mod info;
 mod rows;
 
+pub use errors::{BiasRow, FrameError, RegionRow, counts_from_text, counts_to_text, sum_of_counts};
 pub use images::{ImageKind, file_safe, image_name};
 pub use info::{
     DeviceRecord, EdgeRecord, HostRecord, MethodRecord, RunInfo, RunStatus, SceneRecord, Status,
+    SweepRecord,
 };
-pub use rows::{
-    Cell, ErrorSums, Sample, Summary, counters_to_text, stages_from_text, stages_to_text,
-};
+pub use rows::{Cell, Sample, Summary, stages_from_text, stages_to_text};
 
 /// Version of the run directory's layout; raised when an older reader would misread a newer run.
 pub const FORMAT: u32 = 1;
@@ -31,5 +35,11 @@ pub const RUN_FILE: &str = "run.json";
 pub const SAMPLES_FILE: &str = "samples.csv";
 /// Name of the file that holds a [`Summary`] per cell.
 pub const SUMMARY_FILE: &str = "summary.csv";
+/// Name of the file that holds a [`FrameError`] per verified frame.
+pub const ERRORS_FILE: &str = "errors.csv";
+/// Name of the file that holds the largest [`RegionRow`]s of each verified frame.
+pub const REGIONS_FILE: &str = "regions.csv";
+/// Name of the file that holds a [`BiasRow`] per cell whose bias was searched for.
+pub const BIAS_FILE: &str = "bias.csv";
 /// Name of the folder that holds the pictures.
 pub const IMAGES_DIR: &str = "images";

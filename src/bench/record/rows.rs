@@ -2,7 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::Status;
+use super::errors::sum_of_counts;
+use super::{FrameError, Status};
 use crate::bench::statistics::{mean, median, p95};
 
 /// One measured frame: a row of `samples.csv`.
@@ -57,15 +58,6 @@ pub fn stages_to_text<'a>(stages: impl IntoIterator<Item = (&'a str, f64)>) -> S
     parts.join(";")
 }
 
-/// Writes counters as a row's `counters` field: `edges=48600;edge_records=48600`.
-pub fn counters_to_text(counters: &[(&str, u64)]) -> String {
-    let parts: Vec<String> = counters
-        .iter()
-        .map(|(name, count)| format!("{name}={count}"))
-        .collect();
-    parts.join(";")
-}
-
 /// Reads a row's `stages` field back; a part that is not `name=number` is left out.
 pub fn stages_from_text(text: &str) -> Vec<(&str, f64)> {
     text.split(';')
@@ -95,25 +87,8 @@ pub struct Cell {
     pub counters: String,
 }
 
-/// Pixels found wrong against the reference, summed over a cell's verified frames.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub struct ErrorSums {
-    /// Frames compared.
-    pub verified_frames: u32,
-    /// Lit, but in shadow by the reference.
-    pub false_lit: u64,
-    /// In shadow, but lit by the reference.
-    pub false_shadowed: u64,
-    /// Of the wrong ones, those farther than one pixel from the true shadow boundary.
-    pub artifact_px: u64,
-    /// Of the wrong ones, those within one pixel of it.
-    pub boundary_px: u64,
-    /// Left out of all the others, because the reference itself cannot decide.
-    pub ambiguous_px: u64,
-}
-
 /// One cell: a row of `summary.csv`. Numbers are `None`, and their fields empty, where nothing was
-/// measured; error counts are sums over the verified frames.
+/// measured; error counts are sums over the verified frames, empty where there was none.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Summary {
     /// Name of the scene.
@@ -142,19 +117,19 @@ pub struct Summary {
     pub shadow_ms_p95: Option<f64>,
     /// Median of the G-buffer's time.
     pub gbuffer_ms_median: Option<f64>,
-    /// See [`ErrorSums::false_lit`].
+    /// See [`FrameError::false_lit`].
     pub false_lit: Option<u64>,
-    /// See [`ErrorSums::false_shadowed`].
+    /// See [`FrameError::false_shadowed`].
     pub false_shadowed: Option<u64>,
-    /// See [`ErrorSums::artifact_px`].
+    /// See [`FrameError::artifact_px`].
     pub artifact_px: Option<u64>,
-    /// See [`ErrorSums::ambiguous_px`].
+    /// See [`FrameError::ambiguous_px`].
     pub ambiguous_px: Option<u64>,
     /// What became of the cell.
     pub status: Status,
     /// Why, where it is not [`Status::Ok`].
     pub reason: String,
-    /// See [`ErrorSums::boundary_px`].
+    /// See [`FrameError::boundary_px`].
     pub boundary_px: Option<u64>,
     /// Frames compared with the reference.
     pub verified_frames: u32,
@@ -173,14 +148,32 @@ pub struct Summary {
     /// See [`Cell::counters`].
     #[serde(default)]
     pub counters: String,
+    /// See [`FrameError::distances`].
+    #[serde(default)]
+    pub distances: String,
+    /// See [`FrameError::distance_px_max`].
+    #[serde(default)]
+    pub distance_px_max: Option<f64>,
+    /// See [`FrameError::labels`].
+    #[serde(default)]
+    pub labels: String,
+    /// See [`FrameError::followed_px`].
+    #[serde(default)]
+    pub followed_px: Option<u64>,
+    /// See [`FrameError::flicker_px`].
+    #[serde(default)]
+    pub flicker_px: Option<u64>,
+    /// Mean of [`FrameError::flip`].
+    #[serde(default)]
+    pub flip_mean: Option<f64>,
 }
 
 impl Summary {
-    /// Sums up the samples of one cell. `errors` is `None` where no frame was verified.
+    /// Sums up the measured and the verified frames of one cell.
     pub fn from_samples(
         cell: &Cell,
         samples: &[Sample],
-        errors: Option<&ErrorSums>,
+        errors: &[FrameError],
         status: Status,
         reason: &str,
     ) -> Self {
@@ -188,6 +181,11 @@ impl Summary {
         let frame_ms = column(|s| s.frame_ms);
         let shadow_ms = column(|s| s.shadow_ms);
         let total_ms: f64 = frame_ms.iter().sum();
+        let sum = |of: fn(&FrameError) -> Option<u64>| -> Option<u64> {
+            let counts: Vec<u64> = errors.iter().filter_map(of).collect();
+            (!counts.is_empty()).then(|| counts.iter().sum())
+        };
+        let flips: Vec<f64> = errors.iter().filter_map(|e| e.flip).collect();
         Self {
             scene: cell.scene.clone(),
             triangles: cell.triangles,
@@ -202,20 +200,29 @@ impl Summary {
             shadow_ms_median: median(&shadow_ms),
             shadow_ms_p95: p95(&shadow_ms),
             gbuffer_ms_median: median(&column(|s| s.gbuffer_ms)),
-            false_lit: errors.map(|e| e.false_lit),
-            false_shadowed: errors.map(|e| e.false_shadowed),
-            artifact_px: errors.map(|e| e.artifact_px),
-            ambiguous_px: errors.map(|e| e.ambiguous_px),
+            false_lit: sum(|e| Some(e.false_lit)),
+            false_shadowed: sum(|e| Some(e.false_shadowed)),
+            artifact_px: sum(|e| Some(e.artifact_px)),
+            ambiguous_px: sum(|e| Some(e.ambiguous_px)),
             status,
             reason: reason.to_owned(),
-            boundary_px: errors.map(|e| e.boundary_px),
-            verified_frames: errors.map_or(0, |e| e.verified_frames),
+            boundary_px: sum(|e| Some(e.boundary_px)),
+            verified_frames: u32::try_from(errors.len()).unwrap_or(u32::MAX),
             frame_ms_p95: p95(&frame_ms),
             cpu_ms_median: median(&column(|s| s.cpu_ms)),
             frame_ms_mean: mean(&frame_ms),
             record_ms_median: median(&column(|s| s.record_ms)),
             draw_calls: samples.iter().map(|s| s.draw_calls).max(),
             counters: cell.counters.clone(),
+            distances: sum_of_counts(errors.iter().map(|e| &*e.distances)),
+            distance_px_max: errors
+                .iter()
+                .filter_map(|e| e.distance_px_max)
+                .max_by(f64::total_cmp),
+            labels: sum_of_counts(errors.iter().map(|e| &*e.labels)),
+            followed_px: sum(|e| e.followed_px),
+            flicker_px: sum(|e| e.flicker_px),
+            flip_mean: mean(&flips),
         }
     }
 }
@@ -241,13 +248,16 @@ mod tests {
             triangles: Some(12),
             ..Cell::default()
         };
-        let errors = ErrorSums {
-            verified_frames: 2,
+        let wrong = FrameError {
             false_lit: 3,
-            ..ErrorSums::default()
+            labels: "leak=3".into(),
+            distance_px_max: Some(7.5),
+            flip: Some(0.5),
+            ..FrameError::default()
         };
+        let errors = [FrameError::default(), wrong];
         let samples = [sample(10.0, 4.0), sample(20.0, 8.0), sample(30.0, 6.0)];
-        let summary = Summary::from_samples(&cell, &samples, Some(&errors), Status::Ok, "");
+        let summary = Summary::from_samples(&cell, &samples, &errors, Status::Ok, "");
         assert_eq!(summary.frames, 3);
         assert_eq!(summary.fps, Some(50.0));
         assert_eq!(summary.frame_ms_median, Some(20.0));
@@ -260,12 +270,16 @@ mod tests {
             (Some(3), Some(0))
         );
         assert_eq!(summary.verified_frames, 2);
+        assert_eq!(summary.labels, "leak=3");
+        assert_eq!(summary.distance_px_max, Some(7.5));
+        assert_eq!(summary.flip_mean, Some(0.5));
+        assert_eq!(summary.flicker_px, None);
     }
 
     #[test]
     fn nothing_measured_leaves_empty_fields() {
         let summary =
-            Summary::from_samples(&Cell::default(), &[], None, Status::Unavailable, "no stage");
+            Summary::from_samples(&Cell::default(), &[], &[], Status::Unavailable, "no stage");
         assert_eq!(summary.fps, None);
         let mut writer = csv::Writer::from_writer(Vec::new());
         writer.serialize(&summary).unwrap();
@@ -276,9 +290,13 @@ mod tests {
             "scene,triangles,objects,method,variant,width,height,frames,fps,frame_ms_median,\
              shadow_ms_median,shadow_ms_p95,gbuffer_ms_median,false_lit,false_shadowed,\
              artifact_px,ambiguous_px,status,reason,boundary_px,verified_frames,frame_ms_p95,\
-             cpu_ms_median,frame_ms_mean,record_ms_median,draw_calls,counters"
+             cpu_ms_median,frame_ms_mean,record_ms_median,draw_calls,counters,\
+             distances,distance_px_max,labels,followed_px,flicker_px,flip_mean"
         );
-        assert_eq!(row, ",,,,,0,0,0,,,,,,,,,,unavailable,no stage,,0,,,,,,");
+        assert_eq!(
+            row,
+            ",,,,,0,0,0,,,,,,,,,,unavailable,no stage,,0,,,,,,,,,,,,"
+        );
         let back: Summary = csv::Reader::from_reader(text.as_bytes())
             .deserialize()
             .next()
