@@ -18,8 +18,8 @@ vec4 clip_near(vec3 p) {
 }
 
 // Where the ray from the light through the vertex ends: on the end plane (geometry/end_plane.rs), or
-// with REACH_INFINITY, or without an end plane, at infinity. There clip z is 0 exactly, on the far
-// plane: row z of the matrix is (0, 0, 0, near).
+// with REACH_INFINITY, or without an end plane, at infinity. There it is on the far plane exactly: row z
+// of the matrix is (0, 0, 0, near) or, with standard depth, row w less that.
 vec4 clip_far(vec3 p) {
 #ifdef REACH_INFINITY
     precise vec3 direction = p * frame.light.w - frame.light.xyz;

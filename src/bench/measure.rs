@@ -56,8 +56,7 @@ struct Tag {
 pub(super) fn measure(
     gpu: &Gpu,
     scene: &Scene,
-    stage: &Stage,
-    methods: &[&dyn PreparedMethod],
+    methods: &[(&Stage, &dyn PreparedMethod)],
     schedule: Schedule,
     observer: &dyn Observer,
     mut keep: impl FnMut(Measured) -> anyhow::Result<()>,
@@ -97,7 +96,10 @@ pub(super) fn measure(
         }
     };
     for ((frame, time_s), warmup) in rounds {
-        stage.set_view(gpu, &scene.camera.view_at(time_s), scene.light);
+        let view = scene.camera.view_at(time_s);
+        for (stage, _) in methods {
+            stage.set_view(gpu, &view, scene.light);
+        }
         order.shuffle(&mut shuffle);
         for &method in &order {
             if observer.interrupted() {
@@ -111,7 +113,8 @@ pub(super) fn measure(
                 warmup,
             };
             drawn += 1;
-            let done = timer.frame(gpu, tag, |recorder| stage.record(recorder, methods[method]))?;
+            let (stage, prepared) = methods[method];
+            let done = timer.frame(gpu, tag, |recorder| stage.record(recorder, prepared))?;
             done.map_or(Ok(()), &mut keep_measured)?;
             observer.advance(1);
         }

@@ -4,18 +4,55 @@
 //! has. Everything else is written to a temporary file and renamed: a file that is there is whole.
 
 use super::record::{
-    ERRORS_FILE, FrameError, IMAGES_DIR, ImageKind, RUN_FILE, RunInfo, SAMPLES_FILE, SUMMARY_FILE,
-    Sample, Summary, image_name,
+    BIAS_FILE, BiasRow, ERRORS_FILE, FrameError, IMAGES_DIR, ImageKind, REGIONS_FILE, RUN_FILE,
+    RegionRow, RunInfo, SAMPLES_FILE, SUMMARY_FILE, Sample, Summary, image_name,
 };
 use anyhow::{Context, bail};
+use serde::Serialize;
 use std::fs::File;
 use std::path::{Path, PathBuf};
+
+/// A CSV file that grows row by row.
+struct Table {
+    name: &'static str,
+    path: PathBuf,
+    /// Made with the first row: a run without any leaves no file.
+    writer: Option<csv::Writer<File>>,
+}
+
+impl Table {
+    fn new(dir: &Path, name: &'static str) -> Self {
+        Self {
+            name,
+            path: dir.join(name),
+            writer: None,
+        }
+    }
+
+    /// Appends rows and makes sure that they are there.
+    fn append<T: Serialize>(&mut self, rows: &[T]) -> anyhow::Result<()> {
+        let cannot = || format!("cannot write {}", self.name);
+        let writer = match &mut self.writer {
+            Some(writer) => writer,
+            None if rows.is_empty() => return Ok(()),
+            None => self
+                .writer
+                .insert(csv::Writer::from_path(&self.path).with_context(cannot)?),
+        };
+        rows.iter()
+            .try_for_each(|row| writer.serialize(row))
+            .with_context(cannot)?;
+        writer.flush().with_context(cannot)
+    }
+}
 
 /// An open run directory.
 pub(super) struct RunDir {
     path: PathBuf,
-    samples: csv::Writer<File>,
-    errors: csv::Writer<File>,
+    samples: Table,
+    errors: Table,
+    regions: Table,
+    biases: Table,
 }
 
 impl RunDir {
@@ -30,15 +67,12 @@ impl RunDir {
         let images = path.join(IMAGES_DIR);
         std::fs::create_dir_all(&images)
             .with_context(|| format!("cannot create {}", images.display()))?;
-        let table = |name| {
-            let path = path.join(name);
-            csv::Writer::from_path(&path)
-                .with_context(|| format!("cannot create {}", path.display()))
-        };
         Ok(Self {
             path: path.to_owned(),
-            samples: table(SAMPLES_FILE)?,
-            errors: table(ERRORS_FILE)?,
+            samples: Table::new(path, SAMPLES_FILE),
+            errors: Table::new(path, ERRORS_FILE),
+            regions: Table::new(path, REGIONS_FILE),
+            biases: Table::new(path, BIAS_FILE),
         })
     }
 
@@ -49,16 +83,24 @@ impl RunDir {
         })
     }
 
-    /// Appends a row to `samples.csv` and makes sure that it is there.
-    pub(super) fn append(&mut self, sample: &Sample) -> anyhow::Result<()> {
-        self.samples.serialize(sample)?;
-        self.samples.flush().context("cannot write samples.csv")
+    /// Appends a row to `samples.csv`.
+    pub(super) fn append_sample(&mut self, sample: &Sample) -> anyhow::Result<()> {
+        self.samples.append(std::slice::from_ref(sample))
     }
 
-    /// Appends a row to `errors.csv` and makes sure that it is there.
-    pub(super) fn append_error(&mut self, error: &FrameError) -> anyhow::Result<()> {
-        self.errors.serialize(error)?;
-        self.errors.flush().context("cannot write errors.csv")
+    /// Appends a verified frame to `errors.csv`, and its largest regions to `regions.csv`.
+    pub(super) fn append_errors(
+        &mut self,
+        error: &FrameError,
+        regions: &[RegionRow],
+    ) -> anyhow::Result<()> {
+        self.errors.append(std::slice::from_ref(error))?;
+        self.regions.append(regions)
+    }
+
+    /// Appends a row to `bias.csv`.
+    pub(super) fn append_bias(&mut self, bias: &BiasRow) -> anyhow::Result<()> {
+        self.biases.append(std::slice::from_ref(bias))
     }
 
     /// Writes `summary.csv`, over the one before.

@@ -138,7 +138,7 @@ fn provenance(request: &RunRequest<'_>) -> RunInfo {
         height: plan.size_px.1,
         frames: plan.frames,
         warmup_frames: plan.warmup_frames,
-        verified_frames: plan.verified_frames,
+        verified_frames: plan.verified_frames(),
         scenes: Vec::new(),
         methods: Vec::new(),
         shader_hash: shader::hash(),

@@ -166,7 +166,7 @@ fn text(listing: &Listing) -> String {
         for limit in info.limits {
             line(4, &format!("limit: {limit}"));
         }
-        for (name, default, meaning) in info.parameters {
+        for (name, default, meaning) in info.parameters.concat() {
             line(4, &format!("parameter: {name} = {default}  ({meaning})"));
         }
         line(4, &availability(*available, reason));

@@ -1,15 +1,18 @@
 //! The methods of a run configuration.
 
+use super::MethodPlan;
 use super::misplaced::{Misplaced, missing, twice};
-use crate::methods::{self, ShadowMethod, parameters};
+use super::sweep::{Point, expand};
+use crate::methods::{self, ShadowMethod, parameters, registry::Registration};
 use crate::toml_error;
+use std::ops::Range;
 use toml::Spanned;
-use toml::de::{DeArray, DeValue};
+use toml::de::{DeArray, DeTable, DeValue};
 
 /// Reads `[[methods]]`: at least one, and none twice.
 pub(super) fn read_methods(
     value: Option<Spanned<DeValue<'_>>>,
-) -> Result<Vec<Box<dyn ShadowMethod>>, Misplaced> {
+) -> Result<Vec<MethodPlan>, Misplaced> {
     let example = "id = \"silhouette_ts\"";
     let value = value.ok_or_else(|| missing("methods", example))?;
     let span = value.span();
@@ -23,28 +26,27 @@ pub(super) fn read_methods(
     }
 }
 
-fn read_distinct_methods(array: DeArray<'_>) -> Result<Vec<Box<dyn ShadowMethod>>, Misplaced> {
-    let label = |method: &dyn ShadowMethod| {
-        let label = format!("{} {}", method.info().id, method.variant());
+fn read_distinct_methods(array: DeArray<'_>) -> Result<Vec<MethodPlan>, Misplaced> {
+    let label = |plan: &MethodPlan| {
+        let label = format!("{} {}", plan.method.info().id, plan.method.variant());
         label.trim_end().to_owned()
     };
-    let mut methods: Vec<Box<dyn ShadowMethod>> = Vec::new();
+    let mut plans: Vec<MethodPlan> = Vec::new();
     for entry in array {
         let span = entry.span();
-        let method = read_method(entry)?;
-        let name = label(method.as_ref());
-        if methods
-            .iter()
-            .any(|earlier| label(earlier.as_ref()) == name)
-        {
-            return Err(twice(span, "method", &name));
+        for plan in read_entry(entry)? {
+            let name = label(&plan);
+            if plans.iter().any(|earlier| label(earlier) == name) {
+                return Err(twice(span, "method", &name));
+            }
+            plans.push(plan);
         }
-        methods.push(method);
     }
-    Ok(methods)
+    Ok(plans)
 }
 
-fn read_method(entry: Spanned<DeValue<'_>>) -> Result<Box<dyn ShadowMethod>, Misplaced> {
+/// A method, or one for each combination of the values that the table lists.
+fn read_entry(entry: Spanned<DeValue<'_>>) -> Result<Vec<MethodPlan>, Misplaced> {
     let span = entry.span();
     let DeValue::Table(mut table) = entry.into_inner() else {
         return Err(Misplaced::new(
@@ -60,11 +62,32 @@ fn read_method(entry: Spanned<DeValue<'_>>) -> Result<Box<dyn ShadowMethod>, Mis
     };
     let registration = methods::find(name)
         .ok_or_else(|| Misplaced::new(id.span(), parameters::unknown_method(name)))?;
-    (registration.configure)(Spanned::new(span.clone(), DeValue::Table(table))).map_err(|error| {
+    let plan = |Point { table, on }: Point<'_>| {
+        let method = configure(registration, table, &span)?;
+        let sweep = on.map(|on| {
+            on.sweep(|table| {
+                // What is valid with the swept parameter is so without it, but for a parameter that
+                // needs another: then the curve has no other name than its method's.
+                let curve = configure(registration, table, &span);
+                curve.map_or(String::new(), |curve| curve.variant())
+            })
+        });
+        Ok(MethodPlan { method, sweep })
+    };
+    expand(table, plan)
+}
+
+fn configure(
+    registration: &Registration,
+    table: DeTable<'_>,
+    span: &Range<usize>,
+) -> Result<Box<dyn ShadowMethod>, Misplaced> {
+    (registration.configure)(Spanned::new(span.clone(), table)).map_err(|error| {
         let message = toml_error::with_suggestion(&error.message);
+        let id = registration.info.id;
         Misplaced::new(
-            error.span.unwrap_or(span),
-            format!("method `{name}`: {message}"),
+            error.span.unwrap_or(span.clone()),
+            format!("method `{id}`: {message}"),
         )
     })
 }

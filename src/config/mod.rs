@@ -5,6 +5,7 @@ mod misplaced;
 mod overrides;
 mod run_file;
 mod scene_lookup;
+mod sweep;
 
 pub use overrides::Overrides;
 pub use scene_lookup::{builtin_scenes, find_scene};
@@ -25,6 +26,46 @@ pub struct ScenePlan {
     pub search: ModelSearch,
 }
 
+/// A method to measure.
+pub struct MethodPlan {
+    /// The method with its parameters.
+    pub method: Box<dyn ShadowMethod>,
+    /// The curve that it is a point of, if a list of values made it.
+    pub sweep: Option<Sweep>,
+}
+
+/// A point of a curve: one of the values that a configuration lists for a parameter.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sweep {
+    /// Variant of the method without the swept parameter: with the id, the curve's name.
+    pub curve: String,
+    /// The swept parameter.
+    pub parameter: String,
+    /// Its value here.
+    pub value: f64,
+}
+
+/// Which frames of a cell are compared with the truth, and how thoroughly.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Verification {
+    /// Which frames.
+    pub frames: VerifiedFrames,
+    /// Whether each is followed by the frame after it, to see what flickers.
+    pub flicker: bool,
+    /// Whether the shaded pictures are compared too.
+    pub flip: bool,
+}
+
+/// Which frames of a flight are compared with the truth.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum VerifiedFrames {
+    /// So many, evenly spaced, each in the middle of its part of the flight, so that no two scenes are
+    /// only seen at the flight's ends.
+    Spread(u32),
+    /// Every so manieth of the measured ones, the first among them.
+    Every(u32),
+}
+
 /// What to measure: the matrix of scenes × methods at one size.
 pub struct RunPlan {
     /// What the run is about.
@@ -35,14 +76,14 @@ pub struct RunPlan {
     pub frames: u32,
     /// Frames of each cell drawn before measuring.
     pub warmup_frames: u32,
-    /// Frames of each cell compared with the truth.
-    pub verified_frames: u32,
+    /// What of each cell is compared with the truth.
+    pub verification: Verification,
     /// Seed of the order in which methods are measured.
     pub seed: u64,
     /// The scenes, in order.
     pub scenes: Vec<ScenePlan>,
     /// The methods, in order.
-    pub methods: Vec<Box<dyn ShadowMethod>>,
+    pub methods: Vec<MethodPlan>,
     /// The configuration file as named by the user.
     pub path: String,
     /// Its text.
@@ -54,7 +95,7 @@ pub struct RunPlan {
 impl RunPlan {
     /// Frames drawn for one cell.
     pub fn steps_per_cell(&self) -> u64 {
-        u64::from(self.warmup_frames) + u64::from(self.frames) + u64::from(self.verified_frames)
+        u64::from(self.warmup_frames) + u64::from(self.frames) + u64::from(self.verified_frames())
     }
 
     /// Frames drawn for one scene.
@@ -62,12 +103,24 @@ impl RunPlan {
         self.steps_per_cell() * self.methods.len() as u64
     }
 
-    /// When on the flight the frames are that are compared with the truth: evenly spaced, each in
-    /// the middle of its part, so that no two scenes are only seen at the flight's ends.
+    /// Frames of each cell compared with the truth.
+    pub fn verified_frames(&self) -> u32 {
+        match self.verification.frames {
+            VerifiedFrames::Spread(count) => count,
+            VerifiedFrames::Every(step) => self.frames.div_ceil(step),
+        }
+    }
+
+    /// When on the flight the frames are that are compared with the truth.
     pub fn verified_times(&self, camera: &CameraPath) -> Vec<f64> {
-        let count = f64::from(self.verified_frames);
-        (0..self.verified_frames)
-            .map(|i| camera.duration_s() * (f64::from(i) + 0.5) / count)
-            .collect()
+        match self.verification.frames {
+            VerifiedFrames::Spread(count) => (0..count)
+                .map(|i| camera.duration_s() * (f64::from(i) + 0.5) / f64::from(count))
+                .collect(),
+            VerifiedFrames::Every(step) => {
+                let measured = camera.frame_times(self.frames as usize);
+                measured.into_iter().step_by(step as usize).collect()
+            }
+        }
     }
 }

@@ -1,6 +1,6 @@
 //! What the command line changes in a configuration.
 
-use super::{ConfigError, RunPlan};
+use super::{ConfigError, RunPlan, Verification, VerifiedFrames};
 use crate::methods::parameters::unknown_method;
 
 /// Values that replace the configuration's.
@@ -10,6 +10,9 @@ pub struct Overrides {
     pub size_px: Option<(u32, u32)>,
     /// Measured frames.
     pub frames: Option<u32>,
+    /// Compare every so manieth measured frame with the truth, and see what flickers and what the
+    /// shaded pictures look like.
+    pub accuracy: Option<u32>,
     /// Run only these methods; empty for all.
     pub only: Vec<String>,
 }
@@ -26,11 +29,18 @@ impl Overrides {
         if let Some(frames) = self.frames {
             plan.frames = frames;
         }
+        if let Some(every) = self.accuracy {
+            plan.verification = Verification {
+                frames: VerifiedFrames::Every(every),
+                flicker: true,
+                flip: true,
+            };
+        }
         for id in &self.only {
             if crate::methods::find(id).is_none() {
                 return Err(ConfigError(format!("--only: {}", unknown_method(id))));
             }
-            if !plan.methods.iter().any(|method| method.info().id == id) {
+            if !plan.methods.iter().any(|plan| plan.method.info().id == id) {
                 return Err(ConfigError(format!(
                     "--only: {} does not run `{id}`",
                     plan.path
@@ -39,7 +49,7 @@ impl Overrides {
         }
         if !self.only.is_empty() {
             plan.methods
-                .retain(|method| self.only.iter().any(|id| id == method.info().id));
+                .retain(|plan| self.only.iter().any(|id| id == plan.method.info().id));
         }
         super::run_file::check_counts(plan).map_err(ConfigError)
     }

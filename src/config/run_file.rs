@@ -2,7 +2,9 @@
 
 use super::method_tables::read_methods;
 use super::misplaced::{Misplaced, missing, twice};
-use super::{ConfigError, RunPlan, ScenePlan, find_scene, scene_lookup};
+use super::{
+    ConfigError, RunPlan, ScenePlan, Verification, VerifiedFrames, find_scene, scene_lookup,
+};
 use crate::scene::{SceneError, SphereGridError};
 use crate::toml_array::Exactly;
 use crate::toml_error;
@@ -29,8 +31,12 @@ struct Wire {
     frames: Spanned<u32>,
     #[serde(default = "default_warmup")]
     warmup_frames: Spanned<u32>,
-    #[serde(default = "default_verified")]
-    verified_frames: Spanned<u32>,
+    verified_frames: Option<Spanned<u32>>,
+    verify_every: Option<Spanned<u32>>,
+    #[serde(default)]
+    flicker: bool,
+    #[serde(default)]
+    flip: bool,
     #[serde(default)]
     seed: u64,
     #[serde(default)]
@@ -60,6 +66,7 @@ struct ScaleWire {
     frames: Option<Spanned<u32>>,
     warmup_frames: Option<Spanned<u32>>,
     verified_frames: Option<Spanned<u32>>,
+    verify_every: Option<Spanned<u32>>,
 }
 
 /// The scale that a configuration's own numbers are.
@@ -72,9 +79,10 @@ impl Wire {
             self.size = scale.size.unwrap_or(self.size.clone());
             self.frames = scale.frames.unwrap_or(self.frames.clone());
             self.warmup_frames = scale.warmup_frames.unwrap_or(self.warmup_frames.clone());
-            self.verified_frames = scale
-                .verified_frames
-                .unwrap_or(self.verified_frames.clone());
+            if scale.verified_frames.is_some() || scale.verify_every.is_some() {
+                self.verified_frames = scale.verified_frames;
+                self.verify_every = scale.verify_every;
+            }
         } else if name != FULL_SCALE {
             let known: Vec<_> = self.scales.keys().map(String::as_str).collect();
             let all = [&known[..], &[FULL_SCALE]].concat();
@@ -119,9 +127,8 @@ fn default_warmup() -> Spanned<u32> {
     Spanned::new(0..0, 2)
 }
 
-fn default_verified() -> Spanned<u32> {
-    Spanned::new(0..0, 2)
-}
+/// Frames compared with the truth, unless told otherwise.
+const VERIFIED_FRAMES: u32 = 2;
 
 impl RunPlan {
     /// Reads and checks a configuration file at one of its scales, and the scene files that it names.
@@ -183,14 +190,6 @@ fn parse(text: &str, base: &Path, scale: &str) -> Result<RunPlan, Misplaced> {
         span: None,
         message: format!("--scale: {message}"),
     })?;
-    let in_range = |what: &Spanned<u32>, name: &str, least: u32, most: u32| {
-        let value = *what.get_ref();
-        if (least..=most).contains(&value) {
-            return Ok(value);
-        }
-        let message = format!("`{name}` is {value}; it must be from {least} to {most}");
-        Err(Misplaced::new(what.span(), message))
-    };
     let Exactly([width, height]) = *wire.size.get_ref();
     if let Err(message) = check_size((width, height)) {
         return Err(Misplaced::new(wire.size.span(), message));
@@ -200,7 +199,11 @@ fn parse(text: &str, base: &Path, scale: &str) -> Result<RunPlan, Misplaced> {
         size_px: (width, height),
         frames: in_range(&wire.frames, "frames", 1, MOST_FRAMES)?,
         warmup_frames: in_range(&wire.warmup_frames, "warmup_frames", 0, MOST_FRAMES)?,
-        verified_frames: in_range(&wire.verified_frames, "verified_frames", 0, MOST_FRAMES)?,
+        verification: Verification {
+            frames: verified_frames(&wire)?,
+            flicker: wire.flicker,
+            flip: wire.flip,
+        },
         seed: wire.seed,
         scenes: read_scenes(&wire.scenes, base)?,
         methods,
@@ -208,6 +211,37 @@ fn parse(text: &str, base: &Path, scale: &str) -> Result<RunPlan, Misplaced> {
         text: String::new(),
         scale: scale.to_owned(),
     })
+}
+
+fn in_range(what: &Spanned<u32>, name: &str, least: u32, most: u32) -> Result<u32, Misplaced> {
+    let value = *what.get_ref();
+    if (least..=most).contains(&value) {
+        return Ok(value);
+    }
+    let message = format!("`{name}` is {value}; it must be from {least} to {most}");
+    Err(Misplaced::new(what.span(), message))
+}
+
+fn verified_frames(wire: &Wire) -> Result<VerifiedFrames, Misplaced> {
+    match (&wire.verified_frames, &wire.verify_every) {
+        (Some(_), Some(every)) => Err(Misplaced::new(
+            every.span(),
+            "`verify_every` and `verified_frames` say the same in two ways; remove one of the two",
+        )),
+        (None, Some(every)) => Ok(VerifiedFrames::Every(in_range(
+            every,
+            "verify_every",
+            1,
+            MOST_FRAMES,
+        )?)),
+        (Some(count), None) => Ok(VerifiedFrames::Spread(in_range(
+            count,
+            "verified_frames",
+            0,
+            MOST_FRAMES,
+        )?)),
+        (None, None) => Ok(VerifiedFrames::Spread(VERIFIED_FRAMES)),
+    }
 }
 
 fn read_scenes(wires: &[SceneWire], base: &Path) -> Result<Vec<ScenePlan>, Misplaced> {

@@ -1,6 +1,6 @@
 //! The shadow mask that every method starts from: surfaces that face away from the light.
 
-use super::fullscreen::{self, bind_group, bind_group_layout, texture_binding};
+use super::fullscreen::{self, FullscreenDesc, bind_group, bind_group_layout, texture_binding};
 use super::targets::MASK_FORMAT;
 use super::{FrameUniform, SceneBuffers, Targets};
 use crate::gpu::{Gpu, shader};
@@ -33,8 +33,8 @@ impl DarkSides {
             ..Default::default()
         });
         let module = shader::wgsl(device, "frame/dark_sides.wgsl");
-        let pipeline =
-            fullscreen::pipeline(device, &module, "dark_sides", &layout, MASK_FORMAT, None);
+        let desc = FullscreenDesc::new(&module, "dark_sides", &layout, MASK_FORMAT);
+        let pipeline = fullscreen::pipeline(device, &desc);
         Self { pipeline, inputs }
     }
 

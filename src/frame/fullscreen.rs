@@ -50,32 +50,70 @@ pub const fn texture_binding(sample_type: wgpu::TextureSampleType) -> wgpu::Bind
     }
 }
 
-/// A pipeline that covers the picture: `fullscreen` of shared/fullscreen.wgsl, then `fragment`.
-pub fn pipeline(
-    device: &wgpu::Device,
-    module: &wgpu::ShaderModule,
-    fragment: &str,
-    layout: &wgpu::PipelineLayout,
-    format: wgpu::TextureFormat,
-    depth_stencil: Option<wgpu::DepthStencilState>,
-) -> wgpu::RenderPipeline {
-    device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-        label: Some(fragment),
-        layout: Some(layout),
-        vertex: wgpu::VertexState {
+/// A pipeline that covers the picture.
+pub struct FullscreenDesc<'a> {
+    /// Includes shared/fullscreen.wgsl.
+    pub module: &'a wgpu::ShaderModule,
+    /// Name of the fragment shader.
+    pub fragment: &'a str,
+    /// What it reads.
+    pub layout: &'a wgpu::PipelineLayout,
+    /// What it writes.
+    pub format: wgpu::TextureFormat,
+    /// Values of the module's `override`s.
+    pub constants: &'a [(&'a str, f64)],
+    /// How what it writes is put together with what is there.
+    pub blend: Option<wgpu::BlendState>,
+    /// Tests that decide which pixels get there.
+    pub depth_stencil: Option<wgpu::DepthStencilState>,
+}
+
+impl<'a> FullscreenDesc<'a> {
+    /// One that overwrites every pixel.
+    pub fn new(
+        module: &'a wgpu::ShaderModule,
+        fragment: &'a str,
+        layout: &'a wgpu::PipelineLayout,
+        format: wgpu::TextureFormat,
+    ) -> Self {
+        Self {
             module,
+            fragment,
+            layout,
+            format,
+            constants: &[],
+            blend: None,
+            depth_stencil: None,
+        }
+    }
+}
+
+/// Builds the pipeline: `fullscreen` of shared/fullscreen.wgsl, then the fragment shader.
+pub fn pipeline(device: &wgpu::Device, desc: &FullscreenDesc<'_>) -> wgpu::RenderPipeline {
+    let target = wgpu::ColorTargetState {
+        blend: desc.blend,
+        ..desc.format.into()
+    };
+    device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+        label: Some(desc.fragment),
+        layout: Some(desc.layout),
+        vertex: wgpu::VertexState {
+            module: desc.module,
             entry_point: Some("fullscreen"),
             compilation_options: wgpu::PipelineCompilationOptions::default(),
             buffers: &[],
         },
         primitive: wgpu::PrimitiveState::default(),
-        depth_stencil,
+        depth_stencil: desc.depth_stencil.clone(),
         multisample: wgpu::MultisampleState::default(),
         fragment: Some(wgpu::FragmentState {
-            module,
-            entry_point: Some(fragment),
-            compilation_options: wgpu::PipelineCompilationOptions::default(),
-            targets: &[Some(format.into())],
+            module: desc.module,
+            entry_point: Some(desc.fragment),
+            compilation_options: wgpu::PipelineCompilationOptions {
+                constants: desc.constants,
+                ..Default::default()
+            },
+            targets: &[Some(target)],
         }),
         multiview_mask: None,
         cache: None,

@@ -1,16 +1,17 @@
 //! The first stage: depth and triangle ids of everything, a draw call per object.
 
 use super::targets::TRIANGLE_ID_FORMAT;
-use super::{FrameUniform, SceneBuffers, Targets};
+use super::{DepthSetup, FrameUniform, SceneBuffers, Targets};
 use crate::gpu::{Gpu, shader};
 
 /// Pipeline of the G-buffer stage.
 pub struct GBuffer {
     pipeline: wgpu::RenderPipeline,
+    far: f32,
 }
 
 impl GBuffer {
-    pub(super) fn new(gpu: &Gpu, uniform: &FrameUniform) -> Self {
+    pub(super) fn new(gpu: &Gpu, uniform: &FrameUniform, depth: DepthSetup) -> Self {
         let module = shader::wgsl(&gpu.device, "frame/gbuffer.wgsl");
         let layout = gpu
             .device
@@ -34,9 +35,9 @@ impl GBuffer {
                 // on the far plane is exact only if its caster is in the depth buffer.
                 primitive: wgpu::PrimitiveState::default(),
                 depth_stencil: Some(wgpu::DepthStencilState {
-                    format: gpu.depth_format(),
+                    format: depth.texture_format(gpu),
                     depth_write_enabled: Some(true),
-                    depth_compare: Some(wgpu::CompareFunction::Greater),
+                    depth_compare: Some(depth.direction.nearer()),
                     stencil: wgpu::StencilState::default(),
                     bias: wgpu::DepthBiasState::default(),
                 }),
@@ -50,7 +51,10 @@ impl GBuffer {
                 multiview_mask: None,
                 cache: None,
             });
-        Self { pipeline }
+        Self {
+            pipeline,
+            far: depth.direction.far(),
+        }
     }
 
     pub(super) fn record(
@@ -75,7 +79,7 @@ impl GBuffer {
             depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
                 view: &targets.depth_view,
                 depth_ops: Some(wgpu::Operations {
-                    load: wgpu::LoadOp::Clear(0.0),
+                    load: wgpu::LoadOp::Clear(self.far),
                     store: wgpu::StoreOp::Store,
                 }),
                 stencil_ops: stencil.then_some(wgpu::Operations {

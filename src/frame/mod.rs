@@ -2,9 +2,11 @@
 //! after the method's own.
 //!
 //! A frame is `gbuffer` (depth, triangle ids, and a mask of what faces away from the light), the
-//! method's stages (which add its shadows to the mask) and `shade` (the lit picture). The depth buffer is reversed: 1 at the near plane, 0 at infinity.
+//! method's stages (which add its shadows to the mask) and `shade` (the lit picture). The depth buffer is
+//! reversed, 1 at the near plane and 0 at infinity, unless a [`DepthSetup`] has it otherwise for study.
 
 mod dark_sides;
+mod depth;
 pub mod fullscreen;
 mod gbuffer;
 mod resolve;
@@ -15,6 +17,7 @@ mod uniform;
 mod view;
 
 pub use dark_sides::DarkSides;
+pub use depth::{DepthFormat, DepthSetup};
 pub use gbuffer::GBuffer;
 pub use resolve::{RESOLVE_STAGE, StencilResolve};
 pub use scene::SceneBuffers;
@@ -27,6 +30,7 @@ use crate::gpu::{FrameRecorder, Gpu};
 use crate::methods::PreparedMethod;
 use crate::scene::{Scene, View};
 use std::cell::Cell;
+use std::rc::Rc;
 
 /// Name of the first stage of every frame.
 pub const GBUFFER_STAGE: &str = "gbuffer";
@@ -36,13 +40,15 @@ pub const SHADE_STAGE: &str = "shade";
 /// Everything that the frames of one scene at one size share, whatever the method.
 pub struct Stage {
     /// The scene's meshes on the device.
-    pub scene: SceneBuffers,
+    pub scene: Rc<SceneBuffers>,
     /// What the frame is drawn into.
     pub targets: Targets,
     /// View and light of the frame.
     pub uniform: FrameUniform,
     /// How far the scene reaches.
-    pub extents: SceneExtents,
+    pub extents: Rc<SceneExtents>,
+    /// The depth buffer's setup.
+    pub depth: DepthSetup,
     view: Cell<Option<FrameView>>,
     gbuffer: GBuffer,
     dark_sides: DarkSides,
@@ -52,17 +58,43 @@ pub struct Stage {
 impl Stage {
     /// Uploads `scene` and makes targets of `width` × `height` pixels.
     pub fn new(gpu: &Gpu, scene: &Scene, width: u32, height: u32) -> Self {
-        let buffers = SceneBuffers::new(gpu, &scene.mesh);
-        let targets = Targets::new(gpu, width, height);
+        let buffers = Rc::new(SceneBuffers::new(gpu, &scene.mesh));
+        let extents = Rc::new(SceneExtents::new(&scene.mesh));
+        Self::of_buffers(
+            gpu,
+            buffers,
+            extents,
+            (width, height),
+            DepthSetup::default(),
+        )
+    }
+
+    /// The same scene and size with another depth buffer, which the device can draw with (see
+    /// [`DepthSetup::check`]).
+    pub fn with_depth(&self, gpu: &Gpu, depth: DepthSetup) -> Self {
+        let size_px = (self.targets.width, self.targets.height);
+        let (scene, extents) = (Rc::clone(&self.scene), Rc::clone(&self.extents));
+        Self::of_buffers(gpu, scene, extents, size_px, depth)
+    }
+
+    fn of_buffers(
+        gpu: &Gpu,
+        scene: Rc<SceneBuffers>,
+        extents: Rc<SceneExtents>,
+        (width, height): (u32, u32),
+        depth: DepthSetup,
+    ) -> Self {
+        let targets = Targets::new(gpu, width, height, depth);
         let uniform = FrameUniform::new(gpu);
-        let gbuffer = GBuffer::new(gpu, &uniform);
-        let dark_sides = DarkSides::new(gpu, &uniform, &buffers, &targets);
-        let shade = Shade::new(gpu, &uniform, &buffers, &targets);
+        let gbuffer = GBuffer::new(gpu, &uniform, depth);
+        let dark_sides = DarkSides::new(gpu, &uniform, &scene, &targets);
+        let shade = Shade::new(gpu, &uniform, &scene, &targets);
         Self {
-            scene: buffers,
+            scene,
             targets,
             uniform,
-            extents: SceneExtents::new(&scene.mesh),
+            extents,
+            depth,
             view: Cell::new(None),
             gbuffer,
             dark_sides,
@@ -73,7 +105,9 @@ impl Stage {
     /// Sets view and light of the frames recorded from now on.
     pub fn set_view(&self, gpu: &Gpu, view: &View, light: glam::Vec4) -> FrameView {
         let size_px = (self.targets.width, self.targets.height);
-        let view = self.uniform.write(gpu, view, light, &self.extents, size_px);
+        let view = self
+            .uniform
+            .write(gpu, view, light, &self.extents, size_px, self.depth);
         self.view.set(Some(view));
         view
     }
@@ -93,6 +127,11 @@ impl Stage {
     pub fn record(&self, frame: &mut FrameRecorder<'_>, method: &dyn PreparedMethod) {
         self.record_gbuffer(frame);
         method.record(frame, self);
+        self.record_shade(frame);
+    }
+
+    /// Records the last stage alone: shades with the mask as it is.
+    pub fn record_shade(&self, frame: &mut FrameRecorder<'_>) {
         frame.stage(SHADE_STAGE, |encoder| {
             self.shade.record(encoder, &self.uniform, &self.targets);
             1

@@ -1,7 +1,8 @@
 //! Stencil counts to shadow mask, the last stage of every stencil method.
 
+use super::fullscreen::{self, FullscreenDesc};
 use super::targets::MASK_FORMAT;
-use super::{Targets, fullscreen};
+use super::{DepthSetup, Targets};
 use crate::gpu::{FrameRecorder, Gpu, shader};
 
 /// Name of this stage.
@@ -10,11 +11,12 @@ pub const RESOLVE_STAGE: &str = "resolve";
 /// Pipeline of the resolve stage.
 pub struct StencilResolve {
     pipeline: wgpu::RenderPipeline,
+    far: f32,
 }
 
 impl StencilResolve {
     /// Builds the pipeline. The device must have a stencil buffer.
-    pub fn new(gpu: &Gpu) -> Self {
+    pub fn new(gpu: &Gpu, depth: DepthSetup) -> Self {
         let device = &gpu.device;
         let module = shader::wgsl(device, "frame/resolve.wgsl");
         let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor::default());
@@ -23,11 +25,11 @@ impl StencilResolve {
             ..wgpu::StencilFaceState::IGNORE
         };
         let depth_stencil = wgpu::DepthStencilState {
-            format: gpu.depth_format(),
+            format: depth.texture_format(gpu),
             depth_write_enabled: Some(false),
-            // The triangle lies at depth 0: less than every surface, not less than the background,
-            // where a count means nothing.
-            depth_compare: Some(wgpu::CompareFunction::Less),
+            // The triangle lies at infinity: farther than every surface, not farther than the
+            // background, where a count means nothing.
+            depth_compare: Some(depth.direction.farther()),
             stencil: wgpu::StencilState {
                 front: counted,
                 back: counted,
@@ -36,16 +38,13 @@ impl StencilResolve {
             },
             bias: wgpu::DepthBiasState::default(),
         };
-        let depth_stencil = Some(depth_stencil);
+        let desc = FullscreenDesc {
+            depth_stencil: Some(depth_stencil),
+            ..FullscreenDesc::new(&module, "counted", &layout, MASK_FORMAT)
+        };
         Self {
-            pipeline: fullscreen::pipeline(
-                device,
-                &module,
-                "counted",
-                &layout,
-                MASK_FORMAT,
-                depth_stencil,
-            ),
+            pipeline: fullscreen::pipeline(device, &desc),
+            far: depth.direction.far(),
         }
     }
 
@@ -54,12 +53,16 @@ impl StencilResolve {
         let Targets {
             mask_view,
             depth_view,
+            width,
+            height,
             ..
         } = targets;
         frame.stage(RESOLVE_STAGE, |encoder| {
             let load = wgpu::LoadOp::Load;
             let mut pass = fullscreen::pass(encoder, "resolve", mask_view, load, Some(depth_view));
             pass.set_pipeline(&self.pipeline);
+            let far = self.far;
+            pass.set_viewport(0.0, 0.0, *width as f32, *height as f32, far, far);
             pass.set_stencil_reference(0);
             pass.draw(0..3, 0..1);
             1

@@ -1,6 +1,6 @@
 //! The last stage: the lit picture.
 
-use super::fullscreen::{self, bind_group, bind_group_layout, texture_binding};
+use super::fullscreen::{self, FullscreenDesc, bind_group, bind_group_layout, texture_binding};
 use super::targets::COLOUR_FORMAT;
 use super::{FrameUniform, SceneBuffers, Targets};
 use crate::gpu::{Gpu, shader};
@@ -49,7 +49,8 @@ impl Shade {
             ],
             ..Default::default()
         });
-        let pipeline = fullscreen::pipeline(device, &module, "shade", &layout, COLOUR_FORMAT, None);
+        let desc = FullscreenDesc::new(&module, "shade", &layout, COLOUR_FORMAT);
+        let pipeline = fullscreen::pipeline(device, &desc);
         Self {
             pipeline,
             geometry: scene.bind_group.clone(),

@@ -1,5 +1,6 @@
 //! The textures that a frame is drawn into.
 
+use super::DepthSetup;
 use crate::gpu::Gpu;
 
 /// All targets of a frame, of one size.
@@ -8,7 +9,7 @@ pub struct Targets {
     pub width: u32,
     /// Picture height.
     pub height: u32,
-    /// Reversed depth, and the stencil counter where the device has one.
+    /// Depth, and the stencil counter where the device has one.
     pub depth: wgpu::Texture,
     /// The whole of `depth`, as an attachment.
     pub depth_view: wgpu::TextureView,
@@ -37,7 +38,7 @@ pub const COLOUR_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 
 impl Targets {
     /// Targets of `width` × `height` pixels.
-    pub fn new(gpu: &Gpu, width: u32, height: u32) -> Self {
+    pub fn new(gpu: &Gpu, width: u32, height: u32, depth: DepthSetup) -> Self {
         let texture = |label, format, usage| {
             gpu.device.create_texture(&wgpu::TextureDescriptor {
                 label: Some(label),
@@ -56,9 +57,10 @@ impl Targets {
         };
         let read = wgpu::TextureUsages::COPY_SRC;
         let sample = wgpu::TextureUsages::TEXTURE_BINDING;
-        let depth = texture("depth", gpu.depth_format(), read | sample);
+        let depth = texture("depth", depth.texture_format(gpu), read | sample);
         let triangle_ids = texture("triangle ids", TRIANGLE_ID_FORMAT, read | sample);
-        let mask = texture("shadow mask", MASK_FORMAT, read | sample);
+        let write = wgpu::TextureUsages::COPY_DST;
+        let mask = texture("shadow mask", MASK_FORMAT, read | sample | write);
         let colour = texture("colour", COLOUR_FORMAT, read);
         let view = |texture: &wgpu::Texture, aspect| {
             texture.create_view(&wgpu::TextureViewDescriptor {

@@ -1,5 +1,6 @@
 //! View and light, as every stage of a frame sees them.
 
+use super::DepthSetup;
 use super::view::{FrameView, SceneExtents};
 use crate::gpu::Gpu;
 use crate::scene::View;
@@ -76,17 +77,19 @@ impl FrameUniform {
         light: Vec4,
         extents: &SceneExtents,
         size_px: (u32, u32),
+        depth: DepthSetup,
     ) -> FrameView {
         let (width, height) = (size_px.0 as f32, size_px.1 as f32);
-        let view_projection = view.view_projection(width / height);
-        let clip_to_eye_ray = clip_to_eye_ray(view_projection, view);
-        let frame_view = FrameView::new(view, view_projection, clip_to_eye_ray, light, extents);
+        let view = &depth.near_plane_of(view);
+        let reversed = view.view_projection(width / height);
+        let clip_to_eye_ray = clip_to_eye_ray(reversed, view);
+        let frame_view = FrameView::new(view, reversed, clip_to_eye_ray, light, extents);
         let data = FrameData {
-            view_projection,
+            view_projection: depth.device_projection(reversed),
             clip_to_eye_ray,
             light,
             eye: view.eye.extend(1.0),
-            picture: Vec4::new(width, height, view.near, 0.0),
+            picture: Vec4::new(width, height, view.near, depth.direction.far()),
             end_plane: frame_view.end_plane,
         };
         gpu.queue
@@ -97,7 +100,7 @@ impl FrameUniform {
 
 /// Maps normalised x and y (with z = 0, w = 1) to the ray from the eye whose length along the
 /// viewing direction is 1. With reversed infinite depth, w = near / depth is that length for the
-/// surface, so the surface is at `eye + ray * near / depth`.
+/// surface, so the surface is at `eye + ray * near / depth`. The matrix is the one for reversed depth.
 fn clip_to_eye_ray(view_projection: Mat4, view: &View) -> Mat4 {
     // About the eye: the columns of the product with a translation by the eye.
     let about_eye = view_projection.as_dmat4() * DMat4::from_translation(view.eye.as_dvec3());

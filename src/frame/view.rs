@@ -43,7 +43,8 @@ impl SceneExtents {
 /// View and light of the frame under way.
 #[derive(Debug, Clone, Copy)]
 pub struct FrameView {
-    /// World to clip space, as the device uses it, to the bit.
+    /// World to clip space with reversed infinite depth. What the device uses has these very bits in
+    /// the rows for x, y and w.
     pub view_projection: Mat4,
     /// See [`crate::scene::Scene::light`].
     pub light: Vec4,

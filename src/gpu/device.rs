@@ -23,6 +23,8 @@ pub enum Requirement {
     GeometryStage,
     /// A 32-bit float depth buffer with 8 bits of stencil.
     StencilBuffer,
+    /// A 24-bit depth buffer with 8 bits of stencil.
+    Depth24,
 }
 
 impl Requirement {
@@ -32,6 +34,7 @@ impl Requirement {
             Self::TessellationStage => "tessellation shaders (Vulkan)",
             Self::GeometryStage => "geometry shaders (Vulkan)",
             Self::StencilBuffer => "a 32-bit float depth buffer with stencil",
+            Self::Depth24 => "a 24-bit depth buffer with stencil (Vulkan)",
         }
     }
 }
@@ -164,6 +167,7 @@ impl Gpu {
         let met = match requirement {
             Requirement::TessellationStage => self.stages.tessellation,
             Requirement::GeometryStage => self.stages.geometry,
+            Requirement::Depth24 => self.stages.depth24,
             Requirement::StencilBuffer => {
                 self.depth_format == wgpu::TextureFormat::Depth32FloatStencil8
             }

@@ -4,6 +4,7 @@
 //! This is the only room with `unsafe` code. [`native`] holds all that talks to Vulkan directly;
 //! its public face is safe.
 
+mod depth;
 pub mod device;
 pub mod messages;
 pub mod native;
@@ -12,6 +13,7 @@ pub mod recorder;
 pub mod shader;
 pub mod timer;
 
+pub use depth::DepthDirection;
 pub use device::{DeviceSummary, Gpu, GpuError, GpuOptions, Requirement, list_devices};
 pub use recorder::FrameRecorder;
 pub use timer::{FrameTimer, StageTimes};

@@ -2,23 +2,21 @@
 //! of a cube (Greene 1986 for the projection), looked up once a pixel. For a light among the casters, where
 //! Milet et al. 2014 had no shadow map to compare with.
 
-use super::light_depth::{self, Lookup, SLOPE_BIAS_PARAMETER};
-use super::parameters::Parameters;
-use super::{MethodError, MethodInfo, PrepareContext, PreparedMethod, ShadowMethod};
+use super::light_depth::{self, DepthMap, Lookup, MapKind, MapParameters};
+use super::{MethodError, MethodInfo, PrepareContext, PreparedMethod};
 use crate::frame::Stage;
 use crate::frame::fullscreen::bind_group;
 use crate::geometry::Bounds;
 use crate::gpu::FrameRecorder;
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec3, Mat4, Vec3, Vec4};
-use serde::{Deserialize, Serialize};
 use std::ops::Range;
 use wgpu::util::DeviceExt;
 
 /// What the method is.
 pub(super) static INFO: MethodInfo = MethodInfo {
     id: "cube_shadow_map",
-    title: "an omnidirectional shadow map of six faces, nearest texel",
+    title: "an omnidirectional shadow map of six faces",
     source: "Greene 1986, Williams 1978; beyond Milet et al. 2014, who had none",
     needs: &[],
     limits: &[
@@ -26,17 +24,19 @@ pub(super) static INFO: MethodInfo = MethodInfo {
         "needs a light at a point",
     ],
     parameters: &[
-        (
-            "resolution",
-            "2048",
-            "side of each of the six faces in texels, up to the device's limit",
-        ),
-        (
-            "constant_bias",
-            "16",
-            "depth bias in units of the last bit of the distance, at least 0",
-        ),
-        SLOPE_BIAS_PARAMETER,
+        &[
+            (
+                "resolution",
+                "2048",
+                "side of each of the six faces in texels, up to the device's limit",
+            ),
+            (
+                "constant_bias",
+                "16",
+                "depth bias in units of the last bit of the distance, at least 0",
+            ),
+        ],
+        light_depth::PARAMETERS,
     ],
 };
 
@@ -44,54 +44,32 @@ pub(super) static INFO: MethodInfo = MethodInfo {
 /// is as precise whatever it is.
 const NEAR_BY_FAR: f64 = 1e-6;
 
-/// The method's parameters.
-#[derive(Debug, Clone, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
-pub(super) struct CubeShadowMap {
-    resolution: u32,
-    constant_bias: i32,
-    slope_bias: f32,
-}
+/// The map, in six views.
+#[derive(Debug, Clone)]
+pub(super) struct SixViews;
 
-impl Default for CubeShadowMap {
-    fn default() -> Self {
-        Self {
-            resolution: 2048,
-            constant_bias: 16,
-            slope_bias: 2.0,
-        }
-    }
-}
+/// The method with its parameters.
+pub(super) type CubeShadowMap = DepthMap<SixViews>;
 
-impl Parameters for CubeShadowMap {
-    fn validate(&self) -> Result<(), String> {
-        light_depth::validate(self.resolution, self.constant_bias, self.slope_bias)
-    }
-}
-
-impl ShadowMethod for CubeShadowMap {
-    fn info(&self) -> &'static MethodInfo {
+impl MapKind for SixViews {
+    fn info() -> &'static MethodInfo {
         &INFO
     }
 
-    fn variant(&self) -> String {
-        self.difference()
-    }
+    const RESOLUTION: u32 = 2048;
+    const CONSTANT_BIAS: i32 = 16;
 
     fn prepare(
-        &self,
         context: &PrepareContext<'_>,
+        map: &MapParameters,
     ) -> Result<Box<dyn PreparedMethod>, MethodError> {
         let light = context.scene.light;
         if light.w == 0.0 {
             let reason = "needs a light at a point; this one is at infinity";
             return Err(MethodError::Unavailable(reason.to_owned()));
         }
-        Ok(Box::new(PreparedCube::new(
-            context,
-            self,
-            light.truncate(),
-        )?))
+        let cube = PreparedCube::new(context, map, light.truncate())?;
+        Ok(Box::new(cube))
     }
 }
 
@@ -167,12 +145,14 @@ struct PreparedCube {
     faces: Vec<Face>,
     pipeline: wgpu::RenderPipeline,
     lookup: Lookup,
+    light: DVec3,
+    resolution: u32,
 }
 
 impl PreparedCube {
     fn new(
         context: &PrepareContext<'_>,
-        parameters: &CubeShadowMap,
+        parameters: &MapParameters,
         light: Vec3,
     ) -> Result<Self, MethodError> {
         let gpu = context.gpu;
@@ -227,8 +207,10 @@ impl PreparedCube {
         let shader = "methods/cube_shadow_map/lookup.wgsl";
         Ok(Self {
             faces: (0..).zip(&axes).map(face).collect(),
-            lookup: Lookup::new(context, shader, (&whole, dimension), &cube),
+            lookup: Lookup::new(context, shader, (&whole, dimension), &cube, parameters.pcf),
             pipeline,
+            light: light.as_dvec3(),
+            resolution: parameters.resolution,
         })
     }
 }
@@ -256,6 +238,22 @@ impl PreparedMethod for PreparedCube {
             self.faces.iter().map(draw).sum()
         });
         self.lookup.record(frame, stage);
+    }
+
+    fn texel_of(&self, point: DVec3) -> Option<[i64; 3]> {
+        let from_light = point - self.light;
+        let axes = faces().map(|face| [face.right, face.up, face.forward].map(|a| a.as_dvec3()));
+        let along = |(_, axes): &(i64, [DVec3; 3])| axes[2].dot(from_light);
+        let (layer, [right, up, forward]) = (0..)
+            .zip(axes)
+            .max_by(|a, b| along(a).total_cmp(&along(b)))?;
+        let ndc = [right, up].map(|axis| axis.dot(from_light) / forward.dot(from_light));
+        Some(light_depth::texel_at(
+            layer,
+            ndc[0],
+            ndc[1],
+            self.resolution,
+        ))
     }
 
     fn counters(&self) -> Vec<(&'static str, u64)> {

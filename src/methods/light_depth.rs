@@ -1,27 +1,204 @@
 //! The casters' depth as the light sees it: what both kinds of shadow map share.
 
-use super::parameters::in_range;
-use super::{MethodError, PrepareContext};
-use crate::frame::fullscreen::{self, bind_group, bind_group_layout, texture_binding};
+use super::parameters::{Parameters, in_range};
+use super::{
+    BiasSearch, MethodError, MethodInfo, Parameter, PrepareContext, PreparedMethod, ShadowMethod,
+};
+use crate::frame::fullscreen::{
+    self, FullscreenDesc, bind_group, bind_group_layout, texture_binding,
+};
 use crate::frame::targets::MASK_FORMAT;
 use crate::frame::{SceneBuffers, Stage};
 use crate::gpu::{FrameRecorder, Gpu, shader};
+use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
+use std::fmt;
+use std::marker::PhantomData;
 use std::ops::Range;
 
 const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
 
-/// See [`super::MethodInfo::parameters`].
-pub(super) const SLOPE_BIAS_PARAMETER: (&str, &str, &str) = (
-    "slope_bias",
-    "2.0",
-    "depth bias in texels times the slope of the surface, at least 0",
-);
+/// See [`super::MethodInfo::parameters`]; each kind of map has its own resolution and constant bias.
+pub(super) const PARAMETERS: &[Parameter] = &[
+    (
+        "slope_bias",
+        "2.0",
+        "depth bias in texels times the slope of the surface, at least 0; search: in a run, the smallest \
+         without acne",
+    ),
+    (
+        "pcf",
+        "1",
+        "side of the square of texels whose answers are averaged: 1, 3, 5, ... 15",
+    ),
+];
 
-/// Checks the parameters of a map, whatever the device.
-pub(super) fn validate(resolution: u32, constant_bias: i32, slope_bias: f32) -> Result<(), String> {
-    in_range("resolution", resolution, 1..=1 << 16)?;
-    in_range("constant_bias", constant_bias, 0..=i32::MAX)?;
-    in_range("slope_bias", slope_bias, 0.0..=1e6)
+/// Largest square of percentage-closer filtering.
+const MOST_PCF: u32 = 15;
+
+/// The bias by the slope of a surface, in texels.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum SlopeBias {
+    /// So much.
+    Fixed(f64),
+    /// The smallest without acne, which somebody has to find first.
+    Search,
+}
+
+/// The word for [`SlopeBias::Search`].
+const SEARCH: &str = "search";
+
+impl Serialize for SlopeBias {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self {
+            Self::Fixed(texels) => serializer.serialize_f64(*texels),
+            Self::Search => serializer.serialize_str(SEARCH),
+        }
+    }
+}
+
+impl<'de> Deserialize<'de> for SlopeBias {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Visitor;
+        impl de::Visitor<'_> for Visitor {
+            type Value = SlopeBias;
+
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                write!(f, "a number of texels or \"{SEARCH}\"")
+            }
+
+            fn visit_f64<E: de::Error>(self, texels: f64) -> Result<SlopeBias, E> {
+                Ok(SlopeBias::Fixed(texels))
+            }
+
+            fn visit_i64<E: de::Error>(self, texels: i64) -> Result<SlopeBias, E> {
+                Ok(SlopeBias::Fixed(texels as f64))
+            }
+
+            fn visit_str<E: de::Error>(self, word: &str) -> Result<SlopeBias, E> {
+                match word {
+                    SEARCH => Ok(SlopeBias::Search),
+                    _ => Err(E::invalid_value(de::Unexpected::Str(word), &self)),
+                }
+            }
+        }
+        deserializer.deserialize_any(Visitor)
+    }
+}
+
+/// A kind of shadow map.
+pub(super) trait MapKind: Clone + 'static {
+    /// The method that draws it.
+    fn info() -> &'static MethodInfo;
+    /// Side of the map unless told otherwise.
+    const RESOLUTION: u32;
+    /// Constant bias unless told otherwise.
+    const CONSTANT_BIAS: i32;
+    /// Makes it ready for a scene.
+    fn prepare(
+        context: &PrepareContext<'_>,
+        map: &MapParameters,
+    ) -> Result<Box<dyn PreparedMethod>, MethodError>;
+}
+
+/// What a map is made with.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct MapParameters {
+    /// Side in texels.
+    pub resolution: u32,
+    /// Bias in units of the last bit.
+    pub constant_bias: i32,
+    /// Bias in texels, by the slope.
+    pub slope_bias: f32,
+    /// Side of the square that is averaged.
+    pub pcf: u32,
+}
+
+/// A method that looks a map up; the two differ in the map, nothing else.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+#[serde(default, bound = "")]
+pub(super) struct DepthMap<K: MapKind> {
+    resolution: u32,
+    constant_bias: i32,
+    slope_bias: SlopeBias,
+    pcf: u32,
+    #[serde(skip)]
+    kind: PhantomData<K>,
+}
+
+impl<K: MapKind> Default for DepthMap<K> {
+    fn default() -> Self {
+        Self {
+            resolution: K::RESOLUTION,
+            constant_bias: K::CONSTANT_BIAS,
+            slope_bias: SlopeBias::Fixed(2.0),
+            pcf: 1,
+            kind: PhantomData,
+        }
+    }
+}
+
+impl<K: MapKind> Parameters for DepthMap<K> {
+    fn validate(&self) -> Result<(), String> {
+        in_range("resolution", self.resolution, 1..=1 << 16)?;
+        in_range("constant_bias", self.constant_bias, 0..=i32::MAX)?;
+        if let SlopeBias::Fixed(texels) = self.slope_bias {
+            in_range("slope_bias", texels, 0.0..=1e6)?;
+        }
+        in_range("pcf", self.pcf, 1..=MOST_PCF)?;
+        if self.pcf.is_multiple_of(2) {
+            return Err(format!("`pcf` is {}; it must be odd", self.pcf));
+        }
+        Ok(())
+    }
+}
+
+impl<K: MapKind> ShadowMethod for DepthMap<K> {
+    fn info(&self) -> &'static MethodInfo {
+        K::info()
+    }
+
+    fn variant(&self) -> String {
+        self.difference()
+    }
+
+    fn bias_search(&self) -> Option<BiasSearch<'_>> {
+        (self.slope_bias == SlopeBias::Search).then(|| BiasSearch {
+            resolution: self.resolution,
+            with_bias: Box::new(|texels| {
+                Box::new(Self {
+                    slope_bias: SlopeBias::Fixed(texels),
+                    ..self.clone()
+                })
+            }),
+        })
+    }
+
+    fn prepare(
+        &self,
+        context: &PrepareContext<'_>,
+    ) -> Result<Box<dyn PreparedMethod>, MethodError> {
+        let SlopeBias::Fixed(slope_bias) = self.slope_bias else {
+            let reason =
+                "slope_bias=search is for runs, which find the bias first: give a number here";
+            return Err(MethodError::Parameter(reason.to_owned()));
+        };
+        let map = MapParameters {
+            resolution: self.resolution,
+            constant_bias: self.constant_bias,
+            slope_bias: slope_bias as f32,
+            pcf: self.pcf,
+        };
+        K::prepare(context, &map)
+    }
+}
+
+/// The texel at a place on a layer, as the lookup shaders have it: x right and y up from -1 to 1.
+pub(super) fn texel_at(layer: i64, x: f64, y: f64, resolution: u32) -> [i64; 3] {
+    let texel = |at: f64| {
+        let last = i64::from(resolution) - 1;
+        ((at * f64::from(resolution)).floor() as i64).clamp(0, last)
+    };
+    [layer, texel(0.5 + 0.5 * x), texel(0.5 - 0.5 * y)]
 }
 
 /// A depth texture of `layers` square layers.
@@ -112,6 +289,19 @@ pub(super) fn draw(
     scene.draw(&mut pass, objects)
 }
 
+/// Keeps the larger of what is there and what is drawn.
+const MAX_BLEND: wgpu::BlendState = {
+    let component = wgpu::BlendComponent {
+        src_factor: wgpu::BlendFactor::One,
+        dst_factor: wgpu::BlendFactor::One,
+        operation: wgpu::BlendOperation::Max,
+    };
+    wgpu::BlendState {
+        color: component,
+        alpha: component,
+    }
+};
+
 /// The pass over the picture that looks the map up.
 pub(super) struct Lookup {
     pipeline: wgpu::RenderPipeline,
@@ -119,12 +309,14 @@ pub(super) struct Lookup {
 }
 
 impl Lookup {
-    /// `shader` reads the frame's depth, the map, and a uniform `light`.
+    /// `shader` reads the frame's depth, the map, and a uniform `light`, and averages a square of `pcf`
+    /// texels.
     pub(super) fn new(
         context: &PrepareContext<'_>,
         shader: &str,
         (map, dimension): (&wgpu::TextureView, wgpu::TextureViewDimension),
         light: &wgpu::Buffer,
+        pcf: u32,
     ) -> Self {
         let PrepareContext { gpu, stage, .. } = context;
         let device = &gpu.device;
@@ -152,7 +344,15 @@ impl Lookup {
         });
         let module = shader::wgsl(device, shader);
         Self {
-            pipeline: fullscreen::pipeline(device, &module, "lookup", &layout, MASK_FORMAT, None),
+            pipeline: fullscreen::pipeline(
+                device,
+                &FullscreenDesc {
+                    constants: &[("pcf", f64::from(pcf))],
+                    // What is dark already stays so.
+                    blend: Some(MAX_BLEND),
+                    ..FullscreenDesc::new(&module, "lookup", &layout, MASK_FORMAT)
+                },
+            ),
             inputs: bind_group(device, &input_layout, &resources),
         }
     }

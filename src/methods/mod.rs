@@ -20,12 +20,17 @@ mod volumes;
 pub use parameters::ParameterError;
 pub use registry::{REGISTRY, Registration, find};
 
-use crate::frame::Stage;
+use crate::frame::{DepthSetup, Stage};
 use crate::geometry::Topology;
 use crate::gpu::{FrameRecorder, Gpu, Requirement};
 use crate::scene::Scene;
+use glam::DVec3;
 use serde::Serialize;
 use std::cell::OnceCell;
+use std::rc::Rc;
+
+/// A parameter: name, default, meaning.
+pub type Parameter = (&'static str, &'static str, &'static str);
 
 /// What a method is, needs and cannot do; printed by `svbench list methods`.
 #[derive(Debug, Clone, Serialize)]
@@ -40,12 +45,20 @@ pub struct MethodInfo {
     pub needs: &'static [Requirement],
     /// What it cannot do or gets wrong, by design.
     pub limits: &'static [&'static str],
-    /// Its parameters: name, default, meaning.
-    pub parameters: &'static [(&'static str, &'static str, &'static str)],
+    /// Its parameters, those that it shares with others and its own.
+    #[serde(serialize_with = "in_one_list")]
+    pub parameters: &'static [&'static [Parameter]],
+}
+
+fn in_one_list<S: serde::Serializer>(
+    groups: &&'static [&'static [Parameter]],
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
+    serializer.collect_seq(groups.concat())
 }
 
 impl MethodInfo {
-    /// Whether `gpu` can run it.
+    /// Whether `gpu` has what it needs with any parameters.
     ///
     /// # Errors
     /// The reason why not, as a sentence for people.
@@ -79,7 +92,7 @@ pub struct PrepareContext<'a> {
     pub scene: &'a Scene,
     /// The scene on the device, targets and view.
     pub stage: &'a Stage,
-    topology: OnceCell<Topology>,
+    topology: Rc<OnceCell<Topology>>,
 }
 
 impl<'a> PrepareContext<'a> {
@@ -89,7 +102,16 @@ impl<'a> PrepareContext<'a> {
             gpu,
             scene,
             stage,
-            topology: OnceCell::new(),
+            topology: Rc::default(),
+        }
+    }
+
+    /// The same for methods whose frames are drawn on another stage.
+    pub fn on(&self, stage: &'a Stage) -> Self {
+        Self {
+            stage,
+            topology: Rc::clone(&self.topology),
+            ..*self
         }
     }
 
@@ -105,6 +127,17 @@ impl<'a> PrepareContext<'a> {
     }
 }
 
+/// Gives the same method with a slope bias in texels.
+pub type WithBias<'a> = Box<dyn Fn(f64) -> Box<dyn ShadowMethod> + 'a>;
+
+/// A shadow map whose slope bias is to be found.
+pub struct BiasSearch<'a> {
+    /// Side of the map in texels.
+    pub resolution: u32,
+    /// Gives the map with a bias.
+    pub with_bias: WithBias<'a>,
+}
+
 /// A method with its parameters.
 pub trait ShadowMethod {
     /// What it is.
@@ -113,6 +146,16 @@ pub trait ShadowMethod {
     /// The parameters that differ from their defaults, `name=value` joined by commas; empty for
     /// the default variant.
     fn variant(&self) -> String;
+
+    /// The depth buffer that its frames are to be drawn with.
+    fn depth_setup(&self) -> DepthSetup {
+        DepthSetup::default()
+    }
+
+    /// How to try biases, for a method whose parameters ask for the smallest one without acne.
+    fn bias_search(&self) -> Option<BiasSearch<'_>> {
+        None
+    }
 
     /// Makes it ready for a scene. The device meets [`MethodInfo::needs`].
     ///
@@ -130,6 +173,12 @@ pub trait PreparedMethod {
     /// What a reader of its results should know about this scene.
     fn warnings(&self) -> Vec<String> {
         Vec::new()
+    }
+
+    /// The texel of its shadow map in which a point in world space is looked up: layer, column, row.
+    /// `None` outside the map, and for methods without one.
+    fn texel_of(&self, _point: DVec3) -> Option<[i64; 3]> {
+        None
     }
 
     /// What it counted while it was prepared, by name.

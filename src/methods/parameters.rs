@@ -36,12 +36,8 @@ pub trait Parameters: Serialize + DeserializeOwned + Default {
 
     /// The parameters that are not at their defaults, `name=value` joined by commas.
     fn difference(&self) -> String {
-        let as_map = |parameters: &Self| match serde_json::to_value(parameters) {
-            Ok(serde_json::Value::Object(map)) => map,
-            _ => unreachable!("parameters are a struct of plain values"),
-        };
-        let defaults = as_map(&Self::default());
-        as_map(self)
+        let defaults = fields(&Self::default());
+        fields(self)
             .into_iter()
             .filter(|(name, value)| defaults.get(name) != Some(value))
             .map(|(name, value)| match value {
@@ -55,19 +51,68 @@ pub trait Parameters: Serialize + DeserializeOwned + Default {
 
 /// Reads a method from its table of parameters.
 pub(super) fn configure<M>(
-    table: Spanned<DeValue<'_>>,
+    table: Spanned<DeTable<'_>>,
 ) -> Result<Box<dyn ShadowMethod>, ParameterError>
 where
     M: Parameters + ShadowMethod + 'static,
 {
     let span = table.span();
-    let method = M::deserialize(ValueDeserializer::from(table))?;
+    check_known::<M>(table.get_ref())?;
+    let method = read::<M>(table.get_ref().clone())
+        .map_err(|error| blame::<M>(table.get_ref()).unwrap_or(error))?;
     match method.validate() {
         Ok(()) => Ok(Box::new(method)),
         Err(message) => Err(ParameterError {
             message,
             span: Some(span),
         }),
+    }
+}
+
+fn read<M: Parameters>(table: DeTable<'_>) -> Result<M, ParameterError> {
+    let value = DeValue::Table(table);
+    Ok(M::deserialize(ValueDeserializer::from(Spanned::new(
+        0..0,
+        value,
+    )))?)
+}
+
+/// Serde cannot refuse unknown fields where a struct takes up another's.
+fn check_known<M: Parameters>(table: &DeTable<'_>) -> Result<(), ParameterError> {
+    let known = fields(&M::default());
+    let unknown = table
+        .keys()
+        .find(|key| !known.contains_key(key.get_ref().as_ref()));
+    let Some(unknown) = unknown else {
+        return Ok(());
+    };
+    let names: Vec<_> = known.keys().map(|name| format!("`{name}`")).collect();
+    Err(ParameterError {
+        message: format!(
+            "unknown field `{}`, expected one of {}",
+            unknown.get_ref(),
+            names.join(", ")
+        ),
+        span: Some(unknown.span()),
+    })
+}
+
+/// The parameter that is wrong by itself: serde does not say where, for one that a struct takes up from
+/// another.
+fn blame<M: Parameters>(table: &DeTable<'_>) -> Option<ParameterError> {
+    table.iter().find_map(|(key, value)| {
+        let alone = DeTable::from_iter([(key.clone(), value.clone())]);
+        let error = read::<M>(alone).err()?;
+        let span = Some(value.span());
+        Some(ParameterError { span, ..error })
+    })
+}
+
+/// The parameters by name.
+fn fields<P: Parameters>(parameters: &P) -> serde_json::Map<String, serde_json::Value> {
+    match serde_json::to_value(parameters) {
+        Ok(serde_json::Value::Object(map)) => map,
+        _ => unreachable!("parameters are a struct of plain values"),
     }
 }
 
@@ -94,8 +139,7 @@ pub fn parse_method(text: &str) -> Result<Box<dyn ShadowMethod>, ParameterError>
         }
     }
     let table = DeTable::parse(&document).map_err(ParameterError::from)?;
-    let value = Spanned::new(table.span(), DeValue::Table(table.into_inner()));
-    (registration.configure)(value).map_err(|error| {
+    (registration.configure)(table).map_err(|error| {
         let message = crate::toml_error::with_suggestion(&error.message);
         plain(format!("method `{id}`: {message}"))
     })

@@ -4,9 +4,9 @@ use super::parameters::{ParameterError, configure};
 use super::{MethodInfo, ShadowMethod};
 use super::{cube_shadow_map, shadow_map, silhouette_gs, silhouette_ts, triangle_gs, triangle_ts};
 use toml::Spanned;
-use toml::de::DeValue;
+use toml::de::DeTable;
 
-type Configure = fn(Spanned<DeValue<'_>>) -> Result<Box<dyn ShadowMethod>, ParameterError>;
+type Configure = fn(Spanned<DeTable<'_>>) -> Result<Box<dyn ShadowMethod>, ParameterError>;
 
 /// A known method: what it is, and how its parameters are read.
 pub struct Registration {

@@ -3,19 +3,18 @@
 //! method that silhouettes are compared with in table 3).
 
 use super::frustum::LightFrustum;
-use super::light_depth::{self, Lookup, SLOPE_BIAS_PARAMETER};
-use super::parameters::Parameters;
-use super::{MethodError, MethodInfo, PrepareContext, PreparedMethod, ShadowMethod};
+use super::light_depth::{self, DepthMap, Lookup, MapKind, MapParameters};
+use super::{MethodError, MethodInfo, PrepareContext, PreparedMethod};
 use crate::frame::Stage;
 use crate::frame::fullscreen::bind_group;
 use crate::gpu::FrameRecorder;
-use serde::{Deserialize, Serialize};
+use glam::DVec3;
 use wgpu::util::DeviceExt;
 
 /// What the method is.
 pub(super) static INFO: MethodInfo = MethodInfo {
     id: "shadow_map",
-    title: "one perspective shadow map, nearest texel",
+    title: "one perspective shadow map",
     source: "Williams 1978; Milet et al. 2014, table 3",
     needs: &[],
     limits: &[
@@ -23,63 +22,46 @@ pub(super) static INFO: MethodInfo = MethodInfo {
         "a light among the casters: what its widest frustum (150 degrees) leaves out is lit",
     ],
     parameters: &[
-        (
-            "resolution",
-            "8192",
-            "side of the square map in texels, up to the device's limit",
-        ),
-        (
-            "constant_bias",
-            "2",
-            "depth bias in units of the depth buffer's last bit, at least 0",
-        ),
-        SLOPE_BIAS_PARAMETER,
+        &[
+            (
+                "resolution",
+                "8192",
+                "side of the square map in texels, up to the device's limit",
+            ),
+            (
+                "constant_bias",
+                "2",
+                "depth bias in units of the depth buffer's last bit, at least 0",
+            ),
+        ],
+        light_depth::PARAMETERS,
     ],
 };
 
-/// The method's parameters.
-#[derive(Debug, Clone, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
-pub(super) struct ShadowMap {
-    resolution: u32,
-    constant_bias: i32,
-    slope_bias: f32,
-}
+/// The map, in one perspective or parallel view.
+#[derive(Debug, Clone)]
+pub(super) struct OneView;
 
-impl Default for ShadowMap {
-    fn default() -> Self {
-        Self {
-            resolution: 8192,
-            constant_bias: 2,
-            slope_bias: 2.0,
-        }
-    }
-}
+/// The method with its parameters.
+pub(super) type ShadowMap = DepthMap<OneView>;
 
-impl Parameters for ShadowMap {
-    fn validate(&self) -> Result<(), String> {
-        light_depth::validate(self.resolution, self.constant_bias, self.slope_bias)
-    }
-}
-
-impl ShadowMethod for ShadowMap {
-    fn info(&self) -> &'static MethodInfo {
+impl MapKind for OneView {
+    fn info() -> &'static MethodInfo {
         &INFO
     }
 
-    fn variant(&self) -> String {
-        self.difference()
-    }
+    const RESOLUTION: u32 = 8192;
+    const CONSTANT_BIAS: i32 = 2;
 
     fn prepare(
-        &self,
         context: &PrepareContext<'_>,
+        map: &MapParameters,
     ) -> Result<Box<dyn PreparedMethod>, MethodError> {
         let scene = context.scene;
         let frustum = LightFrustum::around_casters(&scene.mesh, scene.light).ok_or_else(|| {
             MethodError::Unavailable("no caster lies before the light in any one view".to_owned())
         })?;
-        Ok(Box::new(PreparedMap::new(context, self, &frustum)?))
+        Ok(Box::new(PreparedMap::new(context, map, frustum)?))
     }
 }
 
@@ -89,14 +71,15 @@ struct PreparedMap {
     pipeline: wgpu::RenderPipeline,
     light: wgpu::BindGroup,
     lookup: Lookup,
-    covered: f64,
+    frustum: LightFrustum,
+    resolution: u32,
 }
 
 impl PreparedMap {
     fn new(
         context: &PrepareContext<'_>,
-        parameters: &ShadowMap,
-        frustum: &LightFrustum,
+        parameters: &MapParameters,
+        frustum: LightFrustum,
     ) -> Result<Self, MethodError> {
         let gpu = context.gpu;
         let matrix = gpu
@@ -119,10 +102,11 @@ impl PreparedMap {
         let shader = "methods/shadow_map/lookup.wgsl";
         Ok(Self {
             light: bind_group(&gpu.device, &layout, &[matrix.as_entire_binding()]),
-            lookup: Lookup::new(context, shader, (&map, dimension), &matrix),
+            lookup: Lookup::new(context, shader, (&map, dimension), &matrix, parameters.pcf),
             map,
             pipeline,
-            covered: frustum.covered,
+            resolution: parameters.resolution,
+            frustum,
         })
     }
 }
@@ -137,14 +121,21 @@ impl PreparedMethod for PreparedMap {
         self.lookup.record(frame, stage);
     }
 
+    fn texel_of(&self, point: DVec3) -> Option<[i64; 3]> {
+        let clip = self.frustum.view_projection.as_dmat4() * point.extend(1.0);
+        let ndc = clip.truncate() / clip.w;
+        let inside = clip.w > 0.0 && ndc.x.abs().max(ndc.y.abs()) < 1.0;
+        inside.then(|| light_depth::texel_at(0, ndc.x, ndc.y, self.resolution))
+    }
+
     fn warnings(&self) -> Vec<String> {
-        if self.covered >= 1.0 {
+        if self.frustum.covered >= 1.0 {
             return Vec::new();
         }
         vec![format!(
             "the light is among the casters: one map covers {:.0} % of their vertices, and what it \
              leaves out is lit",
-            100.0 * self.covered
+            100.0 * self.frustum.covered
         )]
     }
 }

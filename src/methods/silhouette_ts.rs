@@ -2,10 +2,7 @@
 
 use super::MethodInfo;
 use super::silhouette::{INPUT_PARAMETER, SideStage, Silhouette};
-use super::volumes::{
-    COUNTER_LIMIT, COUNTING_PARAMETER, DETERMINISM_PARAMETER, NONE_LIMIT, REACH_PARAMETER, STENCIL,
-    Z_PASS_LIMIT,
-};
+use super::volumes::{self, COUNTER_LIMIT, NONE_LIMIT, STENCIL, Z_PASS_LIMIT};
 use crate::gpu::Requirement;
 use crate::gpu::native::PrimitiveTopology;
 use crate::gpu::shader::{self, Spirv};
@@ -22,16 +19,16 @@ pub(super) static INFO: MethodInfo = MethodInfo {
     ],
     limits: &[COUNTER_LIMIT, Z_PASS_LIMIT, NONE_LIMIT],
     parameters: &[
-        DETERMINISM_PARAMETER,
-        COUNTING_PARAMETER,
-        REACH_PARAMETER,
-        INPUT_PARAMETER,
-        (
-            "max_multiplicity",
-            "32",
-            "most opposite vertices of one patch, 1 to 32 (30 at most with input=patch); edges with more \
+        volumes::PARAMETERS,
+        &[
+            INPUT_PARAMETER,
+            (
+                "max_multiplicity",
+                "32",
+                "most opposite vertices of one patch, 1 to 32 (30 at most with input=patch); edges with more \
              are split",
-        ),
+            ),
+        ],
     ],
 };
 

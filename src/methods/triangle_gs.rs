@@ -3,11 +3,10 @@
 
 use super::parameters::Parameters;
 use super::volumes::{
-    self, COUNTER_LIMIT, COUNTING_PARAMETER, Counting, DETERMINISM_PARAMETER, NONE_LIMIT,
-    REACH_PARAMETER, Reach, STENCIL, StencilVolumes, VolumeParameters, Z_PASS_LIMIT,
+    self, COUNTER_LIMIT, NONE_LIMIT, STENCIL, StencilVolumes, VolumeParameters, Z_PASS_LIMIT,
 };
 use super::{MethodError, MethodInfo, PrepareContext, PreparedMethod, ShadowMethod};
-use crate::geometry::Determinism;
+use crate::frame::DepthSetup;
 use crate::gpu::Requirement;
 use crate::gpu::native::PrimitiveTopology;
 use crate::gpu::shader;
@@ -20,21 +19,20 @@ pub(super) static INFO: MethodInfo = MethodInfo {
     source: "Milet, Kobrtek, Zemčík, Pečiva 2014, section 3 (after Stich et al. 2007)",
     needs: &[Requirement::GeometryStage, STENCIL],
     limits: &[COUNTER_LIMIT, Z_PASS_LIMIT, NONE_LIMIT],
-    parameters: &[DETERMINISM_PARAMETER, COUNTING_PARAMETER, REACH_PARAMETER],
+    parameters: &[volumes::PARAMETERS],
 };
 
 /// The method's parameters.
 #[derive(Debug, Clone, Default, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
+#[serde(default)]
 pub(super) struct TriangleGs {
-    determinism: Determinism,
-    counting: Counting,
-    reach: Reach,
+    #[serde(flatten)]
+    volume: VolumeParameters,
 }
 
 impl Parameters for TriangleGs {
     fn validate(&self) -> Result<(), String> {
-        Ok(())
+        self.volume.validate()
     }
 }
 
@@ -47,14 +45,15 @@ impl ShadowMethod for TriangleGs {
         self.difference()
     }
 
+    fn depth_setup(&self) -> DepthSetup {
+        self.volume.depth_setup()
+    }
+
     fn prepare(
         &self,
         context: &PrepareContext<'_>,
     ) -> Result<Box<dyn PreparedMethod>, MethodError> {
-        let parameters = VolumeParameters {
-            determinism: self.determinism,
-            reach: self.reach,
-        };
+        let parameters = &self.volume;
         let sides = vec![
             shader::glsl("methods/volumes/position.vert", &[]),
             shader::glsl("methods/triangle_gs/sides.geom", &parameters.defines(&[])),
@@ -63,7 +62,7 @@ impl ShadowMethod for TriangleGs {
             volumes::of_triangles(context, PrimitiveTopology::Triangles, sides),
             volumes::caps(context, parameters),
         ];
-        let volumes = StencilVolumes::new(context, self.counting, &[], faces, Vec::new())?;
+        let volumes = StencilVolumes::new(context, parameters, &[], faces, Vec::new())?;
         Ok(Box::new(volumes))
     }
 }

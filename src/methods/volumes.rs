@@ -4,15 +4,16 @@
 //! counted, z-fail, z-pass, or for each object whichever is right and draws less. The count of a pixel
 //! is a sum over objects, so objects may be counted in different ways in one frame.
 
-use super::{MethodError, PrepareContext, PreparedMethod};
-use crate::frame::{Stage, StencilResolve};
+use super::parameters::in_range;
+use super::{MethodError, Parameter, PrepareContext, PreparedMethod};
+use crate::frame::{DepthFormat, DepthSetup, Stage, StencilResolve};
 use crate::geometry::Determinism;
 use crate::gpu::native::{
     BindingKind, Bindings, IndexedGeometry, Pipeline, PipelineDesc, PrimitiveTopology, Raster,
     Target, VertexInput,
 };
 use crate::gpu::shader::{self, Spirv};
-use crate::gpu::{FrameRecorder, Requirement};
+use crate::gpu::{DepthDirection, FrameRecorder, Requirement};
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
 
@@ -57,41 +58,119 @@ pub(super) const Z_PASS_LIMIT: &str =
 /// What `determinism = "none"` cannot do.
 pub(super) const NONE_LIMIT: &str = "determinism=none: leaks where a triangle is nearly edge-on to the light and its edges disagree";
 
-/// Parameters as [`super::MethodInfo::parameters`] has them.
-pub(super) const COUNTING_PARAMETER: (&str, &str, &str) = (
-    "counting",
-    "z_fail",
-    "z_fail; z_pass; auto: z_pass for objects that cannot shadow the eye, else z_fail",
-);
-/// See [`COUNTING_PARAMETER`].
-pub(super) const DETERMINISM_PARAMETER: (&str, &str, &str) = (
-    "determinism",
-    "reference_edge",
-    "how the edges of a triangle agree on its facing: reference_edge, consistent_triangle, none",
-);
-/// See [`COUNTING_PARAMETER`].
-pub(super) const REACH_PARAMETER: (&str, &str, &str) = (
-    "reach",
-    "scene",
-    "scene: volumes end just beyond the scene where they may; infinity: as in the literature",
-);
+/// Where the front caps of volumes are in z-fail.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub(super) enum FrontCap {
+    /// On the far plane. Every caster is in the depth buffer, so its front cap is never in front of what
+    /// is visible: it counts everywhere (Milet et al. 2014, section 2.1).
+    #[default]
+    Far,
+    /// On the triangle, where it competes with its own surface in the last bit of depth.
+    InPlace,
+}
 
-/// What all faces of a method's volumes are made with.
-#[derive(Debug, Clone, Copy)]
+/// See [`super::MethodInfo::parameters`].
+pub(super) const PARAMETERS: &[Parameter] = &[
+    (
+        "determinism",
+        "reference_edge",
+        "how the edges of a triangle agree on its facing: reference_edge, consistent_triangle, none",
+    ),
+    (
+        "counting",
+        "z_fail",
+        "z_fail; z_pass; auto: z_pass for objects that cannot shadow the eye, else z_fail",
+    ),
+    (
+        "reach",
+        "scene",
+        "scene: volumes end just beyond the scene where they may; infinity: as in the literature",
+    ),
+    (
+        "front_cap",
+        "far",
+        "where the front caps of z_fail are: far (on the far plane, counted everywhere), in_place",
+    ),
+    (
+        "push_back_px",
+        "0 (triangle_ts: 1/256)",
+        "what passes a depth test is pushed away by the change of its depth over so many pixels, -1 to 1",
+    ),
+    (
+        "depth",
+        "reversed",
+        "the frame's depth buffer: reversed (1 at the near plane, 0 at infinity), standard (0 to 1)",
+    ),
+    (
+        "depth_format",
+        "float32",
+        "the frame's depth buffer: float32, unorm24",
+    ),
+    (
+        "near",
+        "the camera's",
+        "distance of the frame's near plane, in the scene's units",
+    ),
+];
+
+/// The parameters that all volume methods have.
+#[derive(Debug, Clone, Copy, Default, Serialize, Deserialize)]
+#[serde(default)]
 pub(super) struct VolumeParameters {
     pub determinism: Determinism,
+    pub counting: Counting,
     pub reach: Reach,
+    pub front_cap: FrontCap,
+    /// `None`: the method's own.
+    pub push_back_px: Option<f64>,
+    pub depth: DepthDirection,
+    pub depth_format: DepthFormat,
+    /// `None`: the camera's.
+    pub near: Option<f64>,
 }
 
 impl VolumeParameters {
+    /// See [`super::Parameters::validate`].
+    pub(super) fn validate(&self) -> Result<(), String> {
+        if let Some(px) = self.push_back_px {
+            in_range("push_back_px", px, -1.0..=1.0)?;
+        }
+        match self.near {
+            Some(near) => in_range("near", near, 1e-9..=1e9),
+            None => Ok(()),
+        }
+    }
+
+    /// The depth buffer that the frame is to be drawn with.
+    pub(super) fn depth_setup(&self) -> DepthSetup {
+        DepthSetup {
+            direction: self.depth,
+            format: self.depth_format,
+            near: self.near.map(|near| near as f32),
+        }
+    }
+
     /// The definitions that shaders take them by, and `more`.
-    pub(super) fn defines<'a>(self, more: &[(&'a str, u32)]) -> Vec<(&'a str, u32)> {
+    pub(super) fn defines<'a>(&self, more: &[(&'a str, u32)]) -> Vec<(&'a str, u32)> {
         let mut defines = vec![("DETERMINISM", self.determinism as u32)];
         if self.reach == Reach::Infinity {
             defines.push(("REACH_INFINITY", 1));
         }
+        if self.depth == DepthDirection::Standard {
+            defines.push(("STANDARD_DEPTH", 1));
+        }
         defines.extend_from_slice(more);
         defines
+    }
+
+    /// How front caps that are drawn by themselves are counted in z-fail. On the far plane they fail
+    /// every depth test; what the near plane cuts off is clipped and does not count.
+    pub(super) fn front_cap_raster(&self) -> Raster {
+        match self.front_cap {
+            FrontCap::Far => Raster::CountAll,
+            FrontCap::InPlace => Raster::CountDepthFails,
+        }
     }
 }
 
@@ -105,8 +184,6 @@ pub(super) struct Faces {
     pub indices: Option<wgpu::Buffer>,
     /// Elements or vertices of each object that casts, in drawing order.
     pub draws: Vec<Range<u32>>,
-    /// See [`PipelineDesc::push_back_px`].
-    pub push_back_px: f32,
     /// How they are counted in z-fail.
     pub z_fail: Raster,
     /// Whether they are drawn in z-pass. Caps, which are never in front of what is visible, need not be,
@@ -127,19 +204,14 @@ pub(super) fn of_triangles(
         topology,
         indices: Some(scene.indices.clone()),
         draws: scene.casters.iter().map(elements).collect(),
-        push_back_px: 0.0,
         z_fail: Raster::CountDepthFails,
         in_z_pass: true,
     }
 }
 
-/// Front and back caps of all triangles, by a geometry shader.
-///
-/// Counted everywhere. Every caster is in the depth buffer, so its front cap is never in front of what
-/// is visible and fails every depth test; tested, it would compete with its own surface in the last bit
-/// of depth. What the near plane cuts off is clipped and does not count. The back cap is behind
-/// everything.
-pub(super) fn caps(context: &PrepareContext<'_>, parameters: VolumeParameters) -> Faces {
+/// Front and back caps of all triangles, by a geometry shader. The back cap is behind everything,
+/// tested or not.
+pub(super) fn caps(context: &PrepareContext<'_>, parameters: &VolumeParameters) -> Faces {
     Faces {
         stages: vec![
             shader::glsl("methods/volumes/index.vert", &[]),
@@ -148,8 +220,7 @@ pub(super) fn caps(context: &PrepareContext<'_>, parameters: VolumeParameters) -
         topology: PrimitiveTopology::Points,
         indices: None,
         draws: context.stage.scene.casters.clone(),
-        push_back_px: 0.0,
-        z_fail: Raster::CountAll,
+        z_fail: parameters.front_cap_raster(),
         in_z_pass: false,
     }
 }
@@ -177,14 +248,15 @@ impl StencilVolumes {
     /// bindings 3, 4, ... (0 to 2 are frame, positions and indices); `counters` are told to the user.
     pub(super) fn new(
         context: &PrepareContext<'_>,
-        counting: Counting,
+        parameters: &VolumeParameters,
         buffers: &[wgpu::Buffer],
         faces: Vec<Faces>,
         counters: Vec<(&'static str, u64)>,
     ) -> Result<Self, MethodError> {
         let PrepareContext { gpu, stage, .. } = context;
         let device = &gpu.device;
-        let target = Target::new(device, &stage.targets.depth)?;
+        let counting = parameters.counting;
+        let target = Target::new(device, &stage.targets.depth, parameters.depth)?;
         let mut bound = vec![
             (BindingKind::Uniform, &stage.uniform.buffer),
             (BindingKind::Storage, &stage.scene.positions),
@@ -205,7 +277,7 @@ impl StencilVolumes {
                     input,
                     topology: faces.topology,
                     raster,
-                    push_back_px: faces.push_back_px,
+                    push_back_px: parameters.push_back_px.unwrap_or(0.0) as f32,
                 };
                 Pipeline::new(device, &target, &bindings, &desc)
             };
@@ -230,7 +302,7 @@ impl StencilVolumes {
             faces: faces.into_iter().map(prepare).collect::<Result<_, _>>()?,
             bindings,
             target,
-            resolve: StencilResolve::new(gpu),
+            resolve: StencilResolve::new(gpu, parameters.depth_setup()),
             counters,
         })
     }

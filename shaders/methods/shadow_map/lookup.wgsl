@@ -1,4 +1,5 @@
-// Adds to the shadow mask what the shadow map says: nearest texel, one comparison a pixel.
+// Adds to the shadow mask what the shadow map says: of a square of texels around the nearest one, the part
+// that is nearer to the light (percentage-closer filtering, Reeves, Salesin and Cook 1987).
 #include "shared/frame.wgsl"
 #include "shared/fullscreen.wgsl"
 
@@ -10,10 +11,13 @@ struct Light {
 @group(1) @binding(1) var map: texture_depth_2d;
 @group(1) @binding(2) var<uniform> light: Light;
 
+// Side of the square, odd.
+override pcf: i32 = 1;
+
 @fragment
 fn lookup(@builtin(position) at: vec4<f32>) -> @location(0) vec4<f32> {
     let depth_here = textureLoad(depth, vec2<i32>(at.xy), 0);
-    if depth_here == 0.0 {
+    if is_background(depth_here) {
         discard;
     }
     let position = surface_position(at.xy, depth_here);
@@ -23,11 +27,20 @@ fn lookup(@builtin(position) at: vec4<f32>) -> @location(0) vec4<f32> {
         discard;
     }
     let ndc = clip.xyz / clip.w;
-    let size = vec2<f32>(textureDimensions(map));
-    let texel = vec2<i32>(vec2<f32>(0.5 + 0.5 * ndc.x, 0.5 - 0.5 * ndc.y) * size);
+    let size = vec2<i32>(textureDimensions(map));
+    let nearest = vec2<i32>(vec2<f32>(0.5 + 0.5 * ndc.x, 0.5 - 0.5 * ndc.y) * vec2<f32>(size));
     // Beyond the farthest caster everything is as far as the farthest caster.
-    if min(ndc.z, 1.0) <= textureLoad(map, texel, 0) {
-        discard;
+    let from_light = min(ndc.z, 1.0);
+    let reach = pcf / 2;
+    var shadowed = 0;
+    for (var y = -reach; y <= reach; y++) {
+        for (var x = -reach; x <= reach; x++) {
+            let texel = nearest + vec2<i32>(x, y);
+            // Outside of the map nothing casts.
+            if all(texel >= vec2<i32>(0)) && all(texel < size) && from_light > textureLoad(map, texel, 0) {
+                shadowed++;
+            }
+        }
     }
-    return vec4<f32>(1.0);
+    return vec4<f32>(f32(shadowed) / f32(pcf * pcf));
 }

@@ -13,6 +13,8 @@ pub struct StageSupport {
     pub geometry: bool,
     /// Storage buffers may be written in the stages before the rasteriser (used by tests only).
     pub vertex_stores: bool,
+    /// A depth buffer of 24 bits with 8 bits of stencil.
+    pub depth24: bool,
 }
 
 /// A device with its queue.
@@ -35,10 +37,19 @@ pub fn support(adapter: &wgpu::Adapter) -> StageSupport {
     let physical = hal.raw_physical_device();
     // SAFETY: `physical` belongs to `instance`, and both outlive `hal`.
     let features = unsafe { instance.get_physical_device_features(physical) };
+    // Asked here: wgpu takes 32 bits without a word where there are no 24.
+    // SAFETY: as above.
+    let depth24 = unsafe {
+        instance.get_physical_device_format_properties(physical, vk::Format::D24_UNORM_S8_UINT)
+    };
     StageSupport {
         tessellation: features.tessellation_shader == vk::TRUE,
         geometry: features.geometry_shader == vk::TRUE,
         vertex_stores: features.vertex_pipeline_stores_and_atomics == vk::TRUE,
+        depth24: depth24.optimal_tiling_features.contains(
+            vk::FormatFeatureFlags::DEPTH_STENCIL_ATTACHMENT
+                | vk::FormatFeatureFlags::SAMPLED_IMAGE,
+        ),
     }
 }
 

@@ -3,6 +3,7 @@
 use super::bindings::Bindings;
 use super::target::Target;
 use super::{NativeError, raw_device, wait_idle};
+use crate::gpu::DepthDirection;
 use crate::gpu::shader::{GlslStage, Spirv};
 use ash::vk;
 
@@ -39,7 +40,7 @@ pub enum VertexInput {
 /// one away. Front faces wind counter-clockwise in y-up clip space. Depth is never written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Raster {
-    /// Count where the depth test (reversed depth, `greater`) fails: z-fail.
+    /// Count where the depth test (nearer than what is there) fails: z-fail.
     CountDepthFails,
     /// Count where the depth test passes, with opposite signs: z-pass.
     CountDepthPasses,
@@ -164,10 +165,12 @@ fn create(
         .cull_mode(vk::CullModeFlags::NONE)
         .front_face(vk::FrontFace::COUNTER_CLOCKWISE)
         .depth_bias_enable(desc.push_back_px != 0.0)
-        // Reversed depth: farther is smaller.
-        .depth_bias_slope_factor(-desc.push_back_px)
+        .depth_bias_slope_factor(match target.direction {
+            DepthDirection::Reversed => -desc.push_back_px,
+            DepthDirection::Standard => desc.push_back_px,
+        })
         .line_width(1.0);
-    let depth_stencil = depth_stencil(desc.raster);
+    let depth_stencil = depth_stencil(desc.raster, target.direction);
     let multisample = vk::PipelineMultisampleStateCreateInfo::default()
         .rasterization_samples(vk::SampleCountFlags::TYPE_1);
     let blend = vk::PipelineColorBlendStateCreateInfo::default();
@@ -218,7 +221,10 @@ fn tests_depth(raster: Raster) -> bool {
 
 /// Over a whole closed volume that nothing clips, back faces and front faces count to zero; so what
 /// fails the depth test counts as much as what passes it, with the opposite sign.
-fn depth_stencil(raster: Raster) -> vk::PipelineDepthStencilStateCreateInfo<'static> {
+fn depth_stencil(
+    raster: Raster,
+    direction: DepthDirection,
+) -> vk::PipelineDepthStencilStateCreateInfo<'static> {
     let count = |operation| {
         let (pass_op, depth_fail_op) = match raster {
             Raster::CountDepthFails => (vk::StencilOp::KEEP, operation),
@@ -247,7 +253,10 @@ fn depth_stencil(raster: Raster) -> vk::PipelineDepthStencilStateCreateInfo<'sta
     };
     vk::PipelineDepthStencilStateCreateInfo::default()
         .depth_test_enable(tests_depth(raster))
-        .depth_compare_op(vk::CompareOp::GREATER)
+        .depth_compare_op(match direction {
+            DepthDirection::Reversed => vk::CompareOp::GREATER,
+            DepthDirection::Standard => vk::CompareOp::LESS,
+        })
         .stencil_test_enable(true)
         .front(count(front))
         .back(count(back))

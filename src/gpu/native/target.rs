@@ -1,6 +1,7 @@
 //! The depth-stencil buffer as the one attachment of a native render pass.
 
 use super::{NativeError, raw_device, wait_idle};
+use crate::gpu::DepthDirection;
 use ash::vk;
 use wgpu::hal::api::Vulkan;
 
@@ -10,6 +11,7 @@ pub struct Target {
     pub(super) render_pass: vk::RenderPass,
     pub(super) framebuffer: vk::Framebuffer,
     pub(super) extent: vk::Extent2D,
+    pub(super) direction: DepthDirection,
     view: vk::ImageView,
     raw: ash::Device,
     device: wgpu::Device,
@@ -17,15 +19,23 @@ pub struct Target {
 
 /// The layout in which wgpu leaves a depth texture that a pass has written.
 const LAYOUT: vk::ImageLayout = vk::ImageLayout::DEPTH_STENCIL_ATTACHMENT_OPTIMAL;
-const FORMAT: vk::Format = vk::Format::D32_SFLOAT_S8_UINT;
 
 impl Target {
-    /// Wraps `texture`, which must have the format `Depth32FloatStencil8`.
+    /// Wraps `texture`, which must have the format `Depth32FloatStencil8`, or `Depth24PlusStencil8` on
+    /// a device that has 24 bits.
     ///
     /// # Errors
     /// When the device does not run on Vulkan or is out of memory.
-    pub fn new(device: &wgpu::Device, texture: &wgpu::Texture) -> Result<Self, NativeError> {
-        assert_eq!(texture.format(), wgpu::TextureFormat::Depth32FloatStencil8);
+    pub fn new(
+        device: &wgpu::Device,
+        texture: &wgpu::Texture,
+        direction: DepthDirection,
+    ) -> Result<Self, NativeError> {
+        let format = match texture.format() {
+            wgpu::TextureFormat::Depth32FloatStencil8 => vk::Format::D32_SFLOAT_S8_UINT,
+            wgpu::TextureFormat::Depth24PlusStencil8 => vk::Format::D24_UNORM_S8_UINT,
+            other => panic!("{other:?} is no depth-stencil format that native passes draw into"),
+        };
         let raw = raw_device(device)?;
         let extent = vk::Extent2D {
             width: texture.width(),
@@ -41,7 +51,7 @@ impl Target {
         let view_info = vk::ImageViewCreateInfo::default()
             .image(image)
             .view_type(vk::ImageViewType::TYPE_2D)
-            .format(FORMAT)
+            .format(format)
             .subresource_range(vk::ImageSubresourceRange {
                 aspect_mask: vk::ImageAspectFlags::DEPTH | vk::ImageAspectFlags::STENCIL,
                 base_mip_level: 0,
@@ -51,7 +61,7 @@ impl Target {
             });
         // SAFETY: `image` is alive and of this format.
         let view = unsafe { raw.create_image_view(&view_info, None) }?;
-        let render_pass = create_render_pass(&raw)?;
+        let render_pass = create_render_pass(&raw, format)?;
         let attachments = [view];
         let framebuffer_info = vk::FramebufferCreateInfo::default()
             .render_pass(render_pass)
@@ -66,6 +76,7 @@ impl Target {
             render_pass,
             framebuffer,
             extent,
+            direction,
             view,
             raw,
             device: device.clone(),
@@ -75,9 +86,9 @@ impl Target {
 
 /// Keeps what is in the buffer, and waits for the depth and stencil writes of whatever ran before;
 /// whatever runs after waits for ours.
-fn create_render_pass(raw: &ash::Device) -> Result<vk::RenderPass, vk::Result> {
+fn create_render_pass(raw: &ash::Device, format: vk::Format) -> Result<vk::RenderPass, vk::Result> {
     let attachments = [vk::AttachmentDescription::default()
-        .format(FORMAT)
+        .format(format)
         .samples(vk::SampleCountFlags::TYPE_1)
         .load_op(vk::AttachmentLoadOp::LOAD)
         .store_op(vk::AttachmentStoreOp::STORE)

@@ -6,9 +6,9 @@
 mod edges;
 
 use super::parameters::{Parameters, in_range};
-use super::volumes::{self, Counting, Faces, Reach, StencilVolumes, VolumeParameters};
+use super::volumes::{self, Faces, StencilVolumes, VolumeParameters};
 use super::{MethodError, MethodInfo, PrepareContext, PreparedMethod, ShadowMethod};
-use crate::geometry::Determinism;
+use crate::frame::DepthSetup;
 use crate::gpu::Gpu;
 use crate::gpu::native::{PrimitiveTopology, Raster};
 use crate::gpu::shader::{self, Spirv};
@@ -48,11 +48,10 @@ pub(super) enum EdgeInput {
 
 /// The parameters of both methods.
 #[derive(Debug, Clone, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default, bound = "")]
+#[serde(default, bound = "")]
 pub(super) struct Silhouette<S> {
-    determinism: Determinism,
-    counting: Counting,
-    reach: Reach,
+    #[serde(flatten)]
+    volume: VolumeParameters,
     input: EdgeInput,
     max_multiplicity: u32,
     #[serde(skip)]
@@ -62,9 +61,7 @@ pub(super) struct Silhouette<S> {
 impl<S> Default for Silhouette<S> {
     fn default() -> Self {
         Self {
-            determinism: Determinism::default(),
-            counting: Counting::default(),
-            reach: Reach::default(),
+            volume: VolumeParameters::default(),
             input: EdgeInput::default(),
             max_multiplicity: 32,
             stage: PhantomData,
@@ -81,7 +78,8 @@ pub(super) const INPUT_PARAMETER: (&str, &str, &str) = (
 
 impl<S: SideStage> Parameters for Silhouette<S> {
     fn validate(&self) -> Result<(), String> {
-        in_range("max_multiplicity", self.max_multiplicity, 1..=S::MOST_QUADS)
+        in_range("max_multiplicity", self.max_multiplicity, 1..=S::MOST_QUADS)?;
+        self.volume.validate()
     }
 }
 
@@ -94,14 +92,15 @@ impl<S: SideStage> ShadowMethod for Silhouette<S> {
         self.difference()
     }
 
+    fn depth_setup(&self) -> DepthSetup {
+        self.volume.depth_setup()
+    }
+
     fn prepare(
         &self,
         context: &PrepareContext<'_>,
     ) -> Result<Box<dyn PreparedMethod>, MethodError> {
-        let parameters = VolumeParameters {
-            determinism: self.determinism,
-            reach: self.reach,
-        };
+        let parameters = &self.volume;
         let most_opposites = match self.input {
             EdgeInput::Storage => self.max_multiplicity,
             EdgeInput::Patch => self.max_multiplicity.min(S::MOST_PATCH_OPPOSITES),
@@ -114,7 +113,7 @@ impl<S: SideStage> ShadowMethod for Silhouette<S> {
             ("edge_records", edges.edges.len() as u64),
             (
                 "extra_side_quads",
-                edges.extra_side_quads(mesh, topology, self.determinism, context.scene.light),
+                edges.extra_side_quads(mesh, topology, parameters.determinism, context.scene.light),
             ),
         ];
         let (sides, buffers) = match self.input {
@@ -131,7 +130,7 @@ impl<S: SideStage> ShadowMethod for Silhouette<S> {
             }
         };
         let faces = vec![sides, volumes::caps(context, parameters)];
-        let volumes = StencilVolumes::new(context, self.counting, &buffers, faces, counters)?;
+        let volumes = StencilVolumes::new(context, parameters, &buffers, faces, counters)?;
         Ok(Box::new(volumes))
     }
 }
@@ -139,7 +138,7 @@ impl<S: SideStage> ShadowMethod for Silhouette<S> {
 impl<S: SideStage> Silhouette<S> {
     fn sides_by_number(
         context: &PrepareContext<'_>,
-        parameters: VolumeParameters,
+        parameters: &VolumeParameters,
         edges: EdgeRecords,
     ) -> (Faces, Vec<wgpu::Buffer>) {
         let gpu = context.gpu;
@@ -163,7 +162,6 @@ impl<S: SideStage> Silhouette<S> {
             topology: S::NUMBER,
             indices: None,
             draws: edges.objects,
-            push_back_px: 0.0,
             z_fail: Raster::CountDepthFails,
             in_z_pass: true,
         };
@@ -172,7 +170,7 @@ impl<S: SideStage> Silhouette<S> {
 
     fn sides_by_patch(
         gpu: &Gpu,
-        parameters: VolumeParameters,
+        parameters: &VolumeParameters,
         topology: PrimitiveTopology,
         patches: EdgePatches,
     ) -> Faces {
@@ -194,7 +192,6 @@ impl<S: SideStage> Silhouette<S> {
                 wgpu::BufferUsages::INDEX,
             )),
             draws: patches.objects,
-            push_back_px: 0.0,
             z_fail: Raster::CountDepthFails,
             in_z_pass: true,
         }

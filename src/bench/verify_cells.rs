@@ -1,0 +1,199 @@
+//! Verifying the cells of a scene: every method against the truth, in some frames of the flight.
+
+use super::cell::CellRun;
+use super::record::{Cell, FrameError, ImageKind, RegionRow, counts_to_text};
+use super::run_dir::RunDir;
+use super::verify::{Judgement, Truth, flicker};
+use super::{RunRequest, Verifier};
+use crate::image::Image;
+use crate::reference::Motion;
+use crate::scene::{CameraPath, Scene};
+
+/// How much later the next frame is whose errors are compared for flicker: one of 60 a second.
+const FRAME_S: f64 = 1.0 / 60.0;
+
+/// Regions of artifact pixels that are kept of each frame, the largest ones.
+const MOST_REGIONS: usize = 8;
+
+/// Compares every method with the truth in some frames of the flight, and keeps the pictures of the
+/// first. `verifiers` has one for each stage that cells are drawn on.
+pub(super) fn verify_cells(
+    request: &RunRequest<'_>,
+    scene: &Scene,
+    verifiers: &[Verifier<'_>],
+    cells: &mut [CellRun<'_>],
+    dir: &mut RunDir,
+) -> anyhow::Result<()> {
+    let size_px = request.plan.size_px;
+    let times_s = request.plan.verified_times(&scene.camera);
+    for (frame, time_s) in (0..).zip(times_s) {
+        for (stage, verifier) in verifiers.iter().enumerate() {
+            if request.observer.interrupted() {
+                return Ok(());
+            }
+            request.observer.phase(&format!(
+                "{}: tracing the truth at {time_s:.1} s",
+                scene.name
+            ));
+            let moment = Moment::new(request, verifier, &scene.camera, time_s)?;
+            if frame == 0 && stage == 0 {
+                let grey = moment.truth.mask.to_grey();
+                let image = Image::grey(size_px, &grey);
+                dir.write_image((&scene.name, "", ""), ImageKind::Reference, &image)?;
+            }
+            for run in cells.iter_mut().filter(|run| run.stage == stage) {
+                verify_cell(request, &moment, (frame, time_s), run, dir)?;
+            }
+        }
+    }
+    Ok(())
+}
+
+/// A time on the flight, and the frame after it where flicker is looked for.
+struct Moment<'a> {
+    verifier: &'a Verifier<'a>,
+    truth: Truth,
+    /// What is true in the next frame, and where what was seen has gone.
+    next: Option<(Truth, Motion)>,
+    /// The picture as it should be.
+    picture: Option<Vec<u8>>,
+}
+
+impl<'a> Moment<'a> {
+    fn new(
+        request: &RunRequest<'_>,
+        verifier: &'a Verifier<'_>,
+        camera: &CameraPath,
+        time_s: f64,
+    ) -> anyhow::Result<Self> {
+        let verification = &request.plan.verification;
+        let truth = verifier.truth(&camera.view_at(time_s))?;
+        let picture = verification
+            .flip
+            .then(|| verifier.true_picture(&truth))
+            .transpose()?;
+        // At the end of the flight there is no next frame, and the one before does as well.
+        let next_s = if time_s + FRAME_S <= camera.duration_s() {
+            time_s + FRAME_S
+        } else {
+            (time_s - FRAME_S).max(0.0)
+        };
+        let next = verification
+            .flicker
+            .then(|| {
+                let next = verifier.truth(&camera.view_at(next_s))?;
+                let motion = verifier.motion(&truth, &next)?;
+                Ok::<_, anyhow::Error>((next, motion))
+            })
+            .transpose()?;
+        Ok(Self {
+            verifier,
+            truth,
+            next,
+            picture,
+        })
+    }
+}
+
+/// Judges one method at one moment, and keeps what it found.
+fn verify_cell(
+    request: &RunRequest<'_>,
+    moment: &Moment<'_>,
+    (frame, time_s): (u32, f64),
+    run: &mut CellRun<'_>,
+    dir: &mut RunDir,
+) -> anyhow::Result<()> {
+    let Some(prepared) = run.prepared() else {
+        return Ok(());
+    };
+    let (verifier, truth, cell) = (moment.verifier, &moment.truth, &run.cell);
+    let text = format!("{}: verifying {}", cell.scene, cell.method);
+    request.observer.phase(&text);
+    let mask = verifier.draw_mask(prepared, truth)?;
+    let picture = match (&moment.picture, frame) {
+        (None, 1..) => None,
+        _ => Some(verifier.read_picture()?),
+    };
+    let judgement = verifier.judge(&mask, truth, prepared)?;
+    let flicker = match &moment.next {
+        Some((next, motion)) => {
+            let next_mask = verifier.draw_mask(prepared, next)?;
+            Some(flicker(motion, (&mask, truth), (&next_mask, next))?)
+        }
+        None => None,
+    };
+    let flip = match (&moment.picture, &picture) {
+        (Some(truth), Some(picture)) => Some(verifier.flip(truth, picture)?),
+        _ => None,
+    };
+    if let Some(picture) = picture.filter(|_| frame == 0) {
+        let size_px = request.plan.size_px;
+        let cell = (&*cell.scene, &*cell.method, &*cell.variant);
+        let write = |kind, image: Image<'_>| dir.write_image(cell, kind, &image);
+        write(ImageKind::Picture, Image::rgba(size_px, &picture))?;
+        write(ImageKind::Mask, Image::grey(size_px, &mask))?;
+        write(
+            ImageKind::Error,
+            Image::rgb(size_px, &judgement.error_map),
+        )?;
+    }
+    let error = FrameError {
+        frame,
+        time_s,
+        followed_px: flicker.map(|f| f.followed_px),
+        flicker_px: flicker.map(|f| f.flicker_px),
+        flip,
+        ..frame_error(cell, &judgement)
+    };
+    dir.append_errors(&error, &regions(cell, frame, &judgement))?;
+    run.errors.push(error);
+    request.observer.advance(1);
+    Ok(())
+}
+
+fn frame_error(cell: &Cell, judgement: &Judgement) -> FrameError {
+    let Judgement {
+        error,
+        distances,
+        analysis,
+        ..
+    } = judgement;
+    FrameError {
+        scene: cell.scene.clone(),
+        method: cell.method.clone(),
+        variant: cell.variant.clone(),
+        width: cell.width,
+        height: cell.height,
+        false_lit: error.false_lit,
+        false_shadowed: error.false_shadowed,
+        boundary_px: error.boundary_px,
+        artifact_px: error.artifact_px,
+        ambiguous_px: error.ambiguous_px,
+        compared_px: error.compared_px,
+        distances: counts_to_text(distances.classes()),
+        distance_px_max: distances.max_px,
+        regions: analysis.regions.len() as u64,
+        largest_region_px: analysis.regions.first().map_or(0, |region| region.size_px),
+        labels: counts_to_text(analysis.label_counts()),
+        ..FrameError::default()
+    }
+}
+
+fn regions(cell: &Cell, frame: u32, judgement: &Judgement) -> Vec<RegionRow> {
+    let largest = judgement.analysis.regions.iter().take(MOST_REGIONS);
+    largest
+        .map(|region| RegionRow {
+            scene: cell.scene.clone(),
+            method: cell.method.clone(),
+            variant: cell.variant.clone(),
+            frame,
+            sign: region.sign.word().to_owned(),
+            label: region.label.word().to_owned(),
+            size_px: region.size_px,
+            left: region.left,
+            top: region.top,
+            right: region.right,
+            bottom: region.bottom,
+        })
+        .collect()
+}

@@ -1,0 +1,304 @@
+//! Lists and ranges of values in a method's table: a method for each, and the curves that they make.
+
+use super::Sweep;
+use super::misplaced::Misplaced;
+use serde::Deserialize;
+use std::collections::BTreeMap;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue, ValueDeserializer};
+
+/// More methods than this from one table are a slip of the finger.
+const MOST_POINTS: usize = 1000;
+
+/// A parameter with every value that it is to take, the first one in `values` first.
+struct Axis<'a> {
+    name: String,
+    values: Vec<Spanned<DeValue<'a>>>,
+}
+
+impl Axis<'_> {
+    /// The values as numbers, if there are several and all are.
+    fn numbers(&self) -> Option<Vec<f64>> {
+        let numbers = self.values.iter().map(|value| number(value.get_ref()));
+        numbers.collect::<Option<Vec<_>>>().filter(|n| n.len() > 1)
+    }
+}
+
+/// One method of a table of lists.
+pub(super) struct Point<'a> {
+    /// Its parameters.
+    pub table: DeTable<'a>,
+    /// The curve that it is on, by the parameters of the curve.
+    pub on: Option<OnCurve<'a>>,
+}
+
+/// Where on a curve a point is.
+pub(super) struct OnCurve<'a> {
+    /// The parameters of the curve: all but the swept one.
+    table: DeTable<'a>,
+    parameter: String,
+    value: f64,
+}
+
+impl<'a> OnCurve<'a> {
+    /// The sweep, once `variant` has said what the curve's parameters are called.
+    pub(super) fn sweep(self, variant: impl FnOnce(DeTable<'a>) -> String) -> Sweep {
+        Sweep {
+            curve: variant(self.table),
+            parameter: self.parameter,
+            value: self.value,
+        }
+    }
+}
+
+/// Reads every combination of the values that the table lists. Curves run along the longest list of numbers
+/// (the first by name, of several); the other lists tell curves apart.
+pub(super) fn expand<R>(
+    table: DeTable<'_>,
+    read: impl FnMut(Point<'_>) -> Result<R, Misplaced>,
+) -> Result<Vec<R>, Misplaced> {
+    // The values of ranges stand nowhere in the file: their text has to live until they are read.
+    let ranges = table
+        .iter()
+        .filter(|(_, value)| value.get_ref().is_table())
+        .map(|(key, value)| Ok((key.get_ref().to_string(), range(key.get_ref(), value)?)))
+        .collect::<Result<BTreeMap<_, _>, Misplaced>>()?;
+    let mut fixed = DeTable::new();
+    let mut axes: Vec<(Spanned<_>, Axis<'_>)> = Vec::new();
+    for (key, value) in table {
+        match values(key.get_ref(), value, &ranges)? {
+            Values::One(value) => {
+                fixed.insert(key, value);
+            }
+            Values::Many(values) => {
+                let name = key.get_ref().to_string();
+                axes.push((key, Axis { name, values }));
+            }
+        }
+    }
+    let points: usize = axes.iter().map(|(_, axis)| axis.values.len()).product();
+    if let Some((key, _)) = axes.first().filter(|_| points > MOST_POINTS) {
+        let message = format!("lists of {points} values together; at most {MOST_POINTS} are run");
+        return Err(Misplaced::new(key.span(), message));
+    }
+    let lengths = axes
+        .iter()
+        .enumerate()
+        .filter_map(|(i, (_, axis))| Some((i, axis.numbers()?)));
+    // The first of the longest.
+    let along = lengths.rev().max_by_key(|(_, numbers)| numbers.len());
+    let point = |mut index: usize| {
+        let mut table = fixed.clone();
+        let mut curve = fixed.clone();
+        let mut on = None;
+        for (i, (key, axis)) in axes.iter().enumerate().rev() {
+            let at = index % axis.values.len();
+            index /= axis.values.len();
+            table.insert(key.clone(), axis.values[at].clone());
+            match &along {
+                Some((swept, numbers)) if *swept == i => on = Some((&axis.name, numbers[at])),
+                _ => {
+                    curve.insert(key.clone(), axis.values[at].clone());
+                }
+            }
+        }
+        Point {
+            table,
+            on: on.map(|(parameter, value)| OnCurve {
+                table: curve,
+                parameter: parameter.clone(),
+                value,
+            }),
+        }
+    };
+    (0..points).map(point).map(read).collect()
+}
+
+enum Values<'a> {
+    One(Spanned<DeValue<'a>>),
+    Many(Vec<Spanned<DeValue<'a>>>),
+}
+
+fn values<'a>(
+    name: &str,
+    value: Spanned<DeValue<'a>>,
+    ranges: &'a BTreeMap<String, Vec<String>>,
+) -> Result<Values<'a>, Misplaced> {
+    let span = value.span();
+    match value.get_ref() {
+        DeValue::Array(array) if array.is_empty() => {
+            let message = format!("`{name}` lists no value; name at least one");
+            Err(Misplaced::new(span, message))
+        }
+        DeValue::Array(array) => Ok(Values::Many(array.iter().cloned().collect())),
+        DeValue::Table(_) => {
+            let texts = ranges.get(name).into_iter().flatten();
+            let value = |text: &'a String| {
+                let value = DeValue::parse(text).map_err(Misplaced::from)?;
+                Ok(Spanned::new(span.clone(), value.into_inner()))
+            };
+            texts.map(value).collect::<Result<_, _>>().map(Values::Many)
+        }
+        _ => Ok(Values::One(value)),
+    }
+}
+
+/// `{ from = 512, to = 8192, factor = 2 }` or `{ from = 0, to = 4, step = 1 }`, both ends included.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct RangeWire {
+    from: Number,
+    to: Number,
+    step: Option<Number>,
+    factor: Option<Number>,
+}
+
+#[derive(Clone, Copy, Deserialize)]
+#[serde(untagged)]
+enum Number {
+    Integer(i64),
+    Float(f64),
+}
+
+impl Number {
+    fn value(self) -> f64 {
+        match self {
+            Self::Integer(n) => n as f64,
+            Self::Float(x) => x,
+        }
+    }
+
+    fn is_integer(self) -> bool {
+        matches!(self, Self::Integer(_))
+    }
+}
+
+/// The values of a range, as TOML.
+fn range(name: &str, value: &Spanned<DeValue<'_>>) -> Result<Vec<String>, Misplaced> {
+    let span = value.span();
+    let misplaced = |message: String| Misplaced::new(span.clone(), format!("`{name}`: {message}"));
+    let wire = RangeWire::deserialize(ValueDeserializer::from(value.clone()))
+        .map_err(|error| misplaced(error.message().to_owned()))?;
+    let (from, to) = (wire.from.value(), wire.to.value());
+    let (next, by): (fn(f64, f64, i32) -> f64, _) = match (wire.step, wire.factor) {
+        (Some(step), None) if step.value() > 0.0 => (|from, by, i| from + by * f64::from(i), step),
+        (None, Some(factor)) if factor.value() > 1.0 && from > 0.0 => {
+            (|from, by, i| from * by.powi(i), factor)
+        }
+        _ => {
+            let advice = "a range has a `step` above 0, or a `factor` above 1 and `from` above 0";
+            return Err(misplaced(advice.to_owned()));
+        }
+    };
+    // The last value may be missed by rounding.
+    let most = to + 1e-9 * to.abs().max(1.0);
+    let numbers: Vec<f64> = (0..)
+        .map(|i| next(from, by.value(), i))
+        .take_while(|value| *value <= most)
+        .take(MOST_POINTS + 1)
+        .collect();
+    if numbers.is_empty() || numbers.len() > MOST_POINTS {
+        let message = format!("a range from {from} to {to} of no value, or of too many");
+        return Err(misplaced(message));
+    }
+    let whole = [wire.from, wire.to, by].into_iter().all(Number::is_integer);
+    let text = |number: f64| match whole {
+        true => format!("{number:.0}"),
+        // As a person would have written it, and always with a point or an exponent.
+        false => format!("{:?}", (number * 1e9).round() / 1e9),
+    };
+    Ok(numbers.into_iter().map(text).collect())
+}
+
+fn number(value: &DeValue<'_>) -> Option<f64> {
+    match value {
+        DeValue::Integer(n) => i64::from_str_radix(n.as_str(), n.radix())
+            .ok()
+            .map(|n| n as f64),
+        DeValue::Float(x) => x.as_str().parse().ok(),
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn points(text: &str) -> Result<Vec<(String, Option<(String, f64)>)>, String> {
+        let table = DeTable::parse(text).unwrap().into_inner();
+        let describe = |table: &DeTable<'_>| {
+            let pairs = table.iter().map(|(key, value)| {
+                let value = match value.get_ref() {
+                    DeValue::Integer(n) => n.to_string(),
+                    DeValue::Float(x) => x.to_string(),
+                    other => format!("{:?}", other.as_str()),
+                };
+                format!("{}={value}", key.get_ref())
+            });
+            pairs.collect::<Vec<_>>().join(",")
+        };
+        let read = |point: Point<'_>| {
+            let sweep = point.on.map(|on| (describe(&on.table), on.value));
+            Ok((describe(&point.table), sweep))
+        };
+        expand(table, read).map_err(|error| error.message)
+    }
+
+    #[test]
+    fn plain_values_are_one_point_without_a_curve() {
+        assert_eq!(points("a = 1\n").unwrap(), [("a=1".to_owned(), None)]);
+    }
+
+    #[test]
+    fn curves_run_along_the_longest_list_of_numbers() {
+        let found = points("b = [1, 2, 3]\na = [5, 6]\nc = \"x\"").unwrap();
+        assert_eq!(found.len(), 6);
+        assert_eq!(
+            found[1],
+            (
+                "a=5,b=2,c=Some(\"x\")".to_owned(),
+                Some(("a=5,c=Some(\"x\")".to_owned(), 2.0))
+            )
+        );
+        let words = points("a = [\"x\", \"y\"]").unwrap();
+        assert!(words.iter().all(|(_, sweep)| sweep.is_none()));
+    }
+
+    #[test]
+    fn ranges_hold_both_ends() {
+        let names = |text| -> Vec<String> {
+            let points = points(text).unwrap();
+            points.into_iter().map(|(name, _)| name).collect()
+        };
+        assert_eq!(
+            names("r = { from = 512, to = 2048, factor = 2 }"),
+            ["r=512", "r=1024", "r=2048"]
+        );
+        assert_eq!(
+            names("r = { from = 0.1, to = 0.3, step = 0.1 }"),
+            ["r=0.1", "r=0.2", "r=0.3"]
+        );
+        assert_eq!(names("r = { from = 1, to = 2, step = 0.5 }").len(), 3);
+    }
+
+    #[test]
+    fn impossible_lists_are_refused() {
+        for (text, part) in [
+            ("a = []", "lists no value"),
+            ("a = { from = 1, to = 2 }", "`step` above 0"),
+            ("a = { from = 1, to = 2, step = 0 }", "`step` above 0"),
+            ("a = { from = 0, to = 2, factor = 2 }", "`from` above 0"),
+            ("a = { from = 3, to = 2, step = 1 }", "no value"),
+            ("a = { from = 0, to = 1, step = 1e-9 }", "too many"),
+            (
+                "a = { from = 0, upto = 1, step = 1 }",
+                "unknown field `upto`",
+            ),
+        ] {
+            let error = points(text).unwrap_err();
+            assert!(error.contains(part), "{text}: {error}");
+        }
+        let long = format!("a = [{}]\nb = [{}]", "1,".repeat(40), "2,".repeat(40));
+        assert!(points(&long).unwrap_err().contains("1600 values"));
+    }
+}
