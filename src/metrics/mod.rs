@@ -13,6 +13,11 @@ mod labels;
 mod mask_error;
 mod regions;
 
+#[cfg(test)]
+mod analytic_tests;
+#[cfg(test)]
+mod shot;
+
 pub use distances::{DISTANCE_LIMITS_PX, Distances, EdgeDistances};
 pub use error_map::{
     AMBIGUOUS_RGB, FALSE_LIT_ARTIFACT_RGB, FALSE_LIT_BOUNDARY_RGB, FALSE_SHADOWED_ARTIFACT_RGB,
