@@ -78,6 +78,17 @@ pub enum PixelResult {
     Ambiguous,
 }
 
+impl PixelResult {
+    /// Where the pixel lies, if it is wrong.
+    #[must_use]
+    pub fn wrong_place(self) -> Option<Place> {
+        match self {
+            Self::Right | Self::Ambiguous => None,
+            Self::FalseLit(place) | Self::FalseShadowed(place) => Some(place),
+        }
+    }
+}
+
 /// A mask and a reference of different sizes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("a mask of {mask_px} pixels cannot be held against a reference of {reference_px}")]
@@ -147,6 +158,29 @@ impl<'a> MaskComparison<'a> {
             truth,
             results: pixels.map(result).collect(),
         })
+    }
+
+    /// Pixels in a row.
+    #[must_use]
+    pub fn width(&self) -> u32 {
+        self.truth.width
+    }
+
+    /// Rows.
+    #[must_use]
+    pub fn height(&self) -> u32 {
+        self.truth.height
+    }
+
+    /// Whether the mask has a pixel in shadow; `None` where the reference cannot decide.
+    #[must_use]
+    pub fn shadowed(&self, pixel: usize) -> Option<bool> {
+        match self.results[pixel] {
+            PixelResult::Ambiguous => None,
+            PixelResult::FalseLit(_) => Some(false),
+            PixelResult::FalseShadowed(_) => Some(true),
+            PixelResult::Right => Some(self.truth.verdicts[pixel] == Verdict::Shadowed),
+        }
     }
 
     /// What became of each pixel, by rows from the top.

@@ -9,22 +9,22 @@ use super::{Reference, ReferenceMask, ReferenceView, Verdict};
 
 /// Positions, triangles, and the number of triangles at the front that cast.
 #[derive(Clone, Default)]
-pub(super) struct Scene {
-    pub(super) positions: Vec<Vec3>,
-    pub(super) triangles: Vec<[u32; 3]>,
-    pub(super) casters: u32,
+pub(crate) struct Scene {
+    pub(crate) positions: Vec<Vec3>,
+    pub(crate) triangles: Vec<[u32; 3]>,
+    pub(crate) casters: u32,
 }
 
 impl Scene {
     /// Adds casters; all of them before any receiver.
-    pub(super) fn cast(mut self, corners: &[[Vec3; 3]]) -> Self {
+    pub(crate) fn cast(mut self, corners: &[[Vec3; 3]]) -> Self {
         self.add(corners);
         self.casters = self.triangles.len() as u32;
         self
     }
 
     /// Adds receivers.
-    pub(super) fn receive(mut self, corners: &[[Vec3; 3]]) -> Self {
+    pub(crate) fn receive(mut self, corners: &[[Vec3; 3]]) -> Self {
         self.add(corners);
         self
     }
@@ -37,12 +37,12 @@ impl Scene {
         }
     }
 
-    pub(super) fn reference(&self) -> Reference {
+    pub(crate) fn reference(&self) -> Reference {
         Reference::new(&self.positions, &self.triangles, |i| i < self.casters).unwrap()
     }
 
     /// The ids that an exact rasteriser draws, and the verdicts on them.
-    pub(super) fn trace(&self, light: Vec4, view: &ReferenceView) -> (Vec<u32>, ReferenceMask) {
+    pub(crate) fn trace(&self, light: Vec4, view: &ReferenceView) -> (Vec<u32>, ReferenceMask) {
         let reference = self.reference();
         let ids = reference.visible_ids(view).unwrap();
         let mask = reference.trace(light, view, &ids).unwrap();
@@ -99,7 +99,7 @@ fn moeller_trumbore(origin: DVec3, direction: DVec3, [a, b, c]: [DVec3; 3]) -> O
 }
 
 /// A view with a 60° field; `up` is -z where it looks straight down.
-pub(super) fn view(eye: Vec3, target: Vec3, width: u32, height: u32) -> ReferenceView {
+pub(crate) fn view(eye: Vec3, target: Vec3, width: u32, height: u32) -> ReferenceView {
     let up = if eye.x == target.x && eye.z == target.z {
         Vec3::NEG_Z
     } else {
@@ -116,14 +116,14 @@ pub(super) fn view(eye: Vec3, target: Vec3, width: u32, height: u32) -> Referenc
 }
 
 /// A square in the plane y = `height`, centred on the y axis, facing up.
-pub(super) fn square(half_side: f32, height: f32) -> [[Vec3; 3]; 2] {
+pub(crate) fn square(half_side: f32, height: f32) -> [[Vec3; 3]; 2] {
     let at = |x: f32, z: f32| Vec3::new(x * half_side, height, z * half_side);
     let [a, b, c, d] = [at(-1.0, -1.0), at(-1.0, 1.0), at(1.0, 1.0), at(1.0, -1.0)];
     [[a, b, c], [a, c, d]]
 }
 
 /// A closed sphere of `slices` × `slices` triangles, `slices` even.
-pub(super) fn sphere(centre: Vec3, radius: f32, slices: u32) -> Vec<[Vec3; 3]> {
+pub(crate) fn sphere(centre: Vec3, radius: f32, slices: u32) -> Vec<[Vec3; 3]> {
     let stacks = slices / 2 + 1;
     let at = |stack: u32, slice: u32| {
         let polar = std::f32::consts::PI * stack as f32 / stacks as f32;
@@ -153,7 +153,7 @@ pub(super) fn sphere(centre: Vec3, radius: f32, slices: u32) -> Vec<[Vec3; 3]> {
 }
 
 /// Reproducible random numbers (SplitMix64).
-pub(super) struct Random(pub(super) u64);
+pub(crate) struct Random(pub(crate) u64);
 
 impl Random {
     fn next(&mut self) -> u64 {
@@ -164,21 +164,21 @@ impl Random {
     }
 
     /// From 0 to 1.
-    pub(super) fn unit(&mut self) -> f64 {
+    pub(crate) fn unit(&mut self) -> f64 {
         (self.next() >> 11) as f64 / (1u64 << 53) as f64
     }
 
-    pub(super) fn below(&mut self, end: usize) -> usize {
+    pub(crate) fn below(&mut self, end: usize) -> usize {
         (self.unit() * end as f64) as usize
     }
 
     /// In the cube from -1 to 1.
-    pub(super) fn point(&mut self) -> DVec3 {
+    pub(crate) fn point(&mut self) -> DVec3 {
         DVec3::from_array([(); 3].map(|()| 2.0 * self.unit() - 1.0))
     }
 
     /// Triangles in the cube from -1 to 1.
-    pub(super) fn soup(&mut self, triangles: usize) -> Vec<[Vec3; 3]> {
+    pub(crate) fn soup(&mut self, triangles: usize) -> Vec<[Vec3; 3]> {
         let mut triangle = || {
             let centre = self.point();
             [(); 3].map(|()| (0.7 * centre + 0.3 * self.point()).as_vec3())

@@ -8,12 +8,15 @@
 //! In reading order: [`ReferenceMask`] is the result, `view` the pixel rays, `surface` the point
 //! seen through a pixel, `segment` the way from it to the light, `contact` how that meets one
 //! triangle, `tree` which triangles are worth asking, `trace` the whole picture,
-//! [`BoundaryProbe`] where the true shadow boundary runs, and [`ReferenceCache`] what is kept on
-//! disk between runs.
+//! [`BoundaryProbe`] where the true shadow boundary runs, [`EvidenceProbe`] what is known of a
+//! single pixel, [`Motion`] where the points of one picture appear in another, and
+//! [`ReferenceCache`] what is kept on disk between runs.
 
 mod boundary;
 mod cache;
 mod contact;
+mod evidence;
+mod motion;
 mod segment;
 mod surface;
 mod trace;
@@ -22,12 +25,14 @@ mod verdict;
 mod view;
 
 #[cfg(test)]
-mod fixtures;
+pub(crate) mod fixtures;
 #[cfg(test)]
 mod tests;
 
 pub use boundary::BoundaryProbe;
 pub use cache::{CacheKey, ReferenceCache};
+pub use evidence::{Evidence, EvidenceProbe};
+pub use motion::Motion;
 pub use trace::Reference;
 pub use verdict::{ReferenceMask, Verdict};
 pub use view::ReferenceView;

@@ -1,6 +1,6 @@
 //! The segment from a surface point to the light, and on which side of a plane its ends lie.
 
-use glam::{DVec3, Vec3, Vec4};
+use glam::{DVec3, DVec4, Vec3, Vec4};
 
 use super::{RELATIVE_TOLERANCE, ReferenceError};
 
@@ -24,6 +24,13 @@ impl Light {
             w => Some(Self::Point(xyz / w)).filter(|_| (xyz / w).is_finite()),
         };
         light.ok_or(ReferenceError::BadLight)
+    }
+
+    pub(super) fn homogeneous(self) -> DVec4 {
+        match self {
+            Self::Point(point) => point.extend(1.0),
+            Self::Direction(direction) => direction.extend(0.0),
+        }
     }
 }
 
@@ -123,6 +130,11 @@ impl Plane {
             self.normal.dot(point - self.origin),
             tolerance * self.normal_length,
         )
+    }
+
+    /// The distance from a segment's start to where its line meets the plane.
+    pub(super) fn distance_along(&self, segment: &Segment) -> f64 {
+        self.normal.dot(self.origin - segment.start) / self.normal.dot(segment.direction())
     }
 
     pub(super) fn contains(&self, corners: &[Vec3; 3], tolerance: f64) -> bool {

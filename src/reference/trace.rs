@@ -205,7 +205,11 @@ impl Reference {
         verdict
     }
 
-    fn check_ids(&self, view: &ReferenceView, ids: &[u32]) -> Result<(), ReferenceError> {
+    pub(super) fn check_ids(
+        &self,
+        view: &ReferenceView,
+        ids: &[u32],
+    ) -> Result<(), ReferenceError> {
         let (expected, found) = (view.pixel_count(), ids.len());
         if expected != found {
             return Err(ReferenceError::WrongSize { expected, found });

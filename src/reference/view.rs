@@ -86,6 +86,17 @@ impl Projection {
         })
     }
 
+    /// The direction, of length 1, of the picture of a line through a place in the picture (pixels
+    /// from the top left corner) and a homogeneous point; `None` where the two coincide.
+    ///
+    /// It also holds for a point behind the eye or at infinity: lines through it appear as lines
+    /// through its projection wherever that falls, or as parallels where it falls nowhere.
+    pub(super) fn line_through(&self, point: DVec4, place_px: DVec2) -> Option<DVec2> {
+        let clip = self.to_clip * point;
+        let scaled_px = 0.5 * (DVec2::new(clip.x, -clip.y) + clip.w) * self.size_px;
+        (scaled_px - clip.w * place_px).try_normalize()
+    }
+
     /// Whether the near plane leaves a point in the picture.
     pub(super) fn beyond_near_plane(&self, point: DVec3) -> bool {
         let clip = self.to_clip * point.extend(1.0);

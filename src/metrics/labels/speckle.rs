@@ -1,0 +1,106 @@
+//! Acne: false-shadowed speckle or stripes on lit surfaces, away from true edges.
+//!
+//! It is told from a blob by how often a row or column of the picture crosses it: a blob of any size
+//! once, a streak or an outline once or twice, speckle and moiré more often. So the measure does not
+//! depend on the size of pixels or texels.
+
+use super::clusters::Cluster;
+use super::frame::{Frame, spread};
+use crate::metrics::regions::{Sign, artifact_sign};
+use crate::reference::Verdict;
+
+/// What a cluster must reach to be speckle.
+struct Bar {
+    /// It has at least so many pixels, and
+    min_px: usize,
+    /// is crossed so often, if it has
+    crossings: f64,
+    /// at least so many regions,
+    min_regions: usize,
+    /// or else so often.
+    crossings_of_few: f64,
+}
+
+const BAR: Bar = Bar {
+    min_px: 16,
+    crossings: 2.0,
+    min_regions: 8,
+    crossings_of_few: 3.0,
+};
+
+/// The bar where texels are known, for then errors along true edges are told apart by them.
+const BAR_WITH_TEXELS: Bar = Bar {
+    min_px: 8,
+    crossings: 1.5,
+    min_regions: 3,
+    crossings_of_few: 2.0,
+};
+
+/// At least this share of the pixels shows a lit surface (the rest is background),
+const LIT_SHARE: f64 = 0.9;
+/// and this share has no true edge
+const AWAY_SHARE: f64 = 0.5;
+/// within this many pixels, along rows and columns.
+const EDGE_PX: i64 = 4;
+
+/// At most this many pixels of a cluster are looked at for edges near them.
+const EDGE_SAMPLES: usize = 1024;
+
+/// Whether a cluster of false-shadowed regions is acne.
+pub(super) fn is_speckle(frame: &Frame<'_>, cluster: &Cluster) -> bool {
+    let bar = if frame.texel.is_some() {
+        BAR_WITH_TEXELS
+    } else {
+        BAR
+    };
+    if cluster.pixels.len() < bar.min_px {
+        return false;
+    }
+    let crossings = crossings(frame, &cluster.pixels);
+    let broken = cluster.regions >= bar.min_regions && crossings >= bar.crossings;
+    (broken || crossings >= bar.crossings_of_few) && is_on_lit_surface(frame, &cluster.pixels)
+}
+
+/// How often a row crosses the pixels, in the mean over the rows that do; or a column, if more often.
+fn crossings(frame: &Frame<'_>, pixels: &[usize]) -> f64 {
+    let (width, results) = (frame.width, frame.comparison.results());
+    let in_shadow = |pixel: usize| artifact_sign(results[pixel]) == Some(Sign::FalseShadowed);
+    let begins = |pixel: usize| {
+        let along_row = pixel.is_multiple_of(width) || !in_shadow(pixel - 1);
+        let along_column = pixel < width || !in_shadow(pixel - width);
+        [along_row, along_column]
+    };
+    let mut runs = [0usize; 2];
+    for &pixel in pixels {
+        let [along_row, along_column] = begins(pixel);
+        runs[0] += usize::from(along_row);
+        runs[1] += usize::from(along_column);
+    }
+    let distinct = |of: fn(usize, usize) -> usize| {
+        let mut lines: Vec<usize> = pixels.iter().map(|&pixel| of(pixel, width)).collect();
+        lines.sort_unstable();
+        lines.dedup();
+        lines.len()
+    };
+    let rows = distinct(|pixel, width| pixel / width);
+    let columns = distinct(|pixel, width| pixel % width);
+    (runs[0] as f64 / rows as f64).max(runs[1] as f64 / columns as f64)
+}
+
+fn is_on_lit_surface(frame: &Frame<'_>, pixels: &[usize]) -> bool {
+    let truth = frame.comparison.truth;
+    let lit = pixels
+        .iter()
+        .filter(|&&pixel| truth.verdicts[pixel] == Verdict::Lit);
+    if (lit.count() as f64) < LIT_SHARE * pixels.len() as f64 {
+        return false;
+    }
+    let edge_near = |&pixel: &usize| {
+        let (x, y) = ((pixel % frame.width) as i64, (pixel / frame.width) as i64);
+        let differs = |dx, dy| truth.get(x + dx, y + dy) == Some(Verdict::Shadowed);
+        (-EDGE_PX..=EDGE_PX).any(|dy| (-EDGE_PX..=EDGE_PX).any(|dx| differs(dx, dy)))
+    };
+    let samples: Vec<bool> = spread(pixels, EDGE_SAMPLES).map(edge_near).collect();
+    let away = samples.iter().filter(|&&near| !near).count();
+    away as f64 >= AWAY_SHARE * samples.len() as f64
+}

@@ -1,0 +1,235 @@
+//! What is known of the surface point behind one pixel: asked of wrong pixels, to tell why.
+
+use glam::{DVec2, DVec3, Vec4};
+
+use super::contact::{Contact, EdgeContact, contact};
+use super::segment::{Light, Plane, Segment};
+use super::surface::point_seen;
+use super::tree::{Primitive, Visit};
+use super::view::Projection;
+use super::{Reference, ReferenceError, ReferenceView};
+
+/// What the reference knows of one pixel.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Evidence {
+    /// The point seen through the pixel's centre, in world units.
+    pub point: DVec3,
+    /// Index of the triangle it lies on.
+    pub triangle: u32,
+    /// Casting triangles between the point and the light. Every casting triangle has a shadow
+    /// volume of its own in the volume methods, so it is also the count that they should reach.
+    pub blockers: u32,
+    /// Distance from the point to the nearest of them, in world units.
+    pub nearest_blocker: Option<f64>,
+    /// Width of a pixel at the point, across the line of sight, in world units.
+    pub px_size: f64,
+}
+
+/// Answers what is known of single pixels of one picture.
+pub struct EvidenceProbe<'a> {
+    reference: &'a Reference,
+    light: Light,
+    projection: Projection,
+    width: usize,
+    triangle_ids: &'a [u32],
+}
+
+impl Reference {
+    /// A probe into the picture that [`Reference::trace`] takes with the same arguments.
+    ///
+    /// # Errors
+    /// As [`Reference::trace`].
+    pub fn evidence<'a>(
+        &'a self,
+        light: Vec4,
+        view: &ReferenceView,
+        triangle_ids: &'a [u32],
+    ) -> Result<EvidenceProbe<'a>, ReferenceError> {
+        self.check_ids(view, triangle_ids)?;
+        Ok(EvidenceProbe {
+            reference: self,
+            light: Light::new(light)?,
+            projection: Projection::new(view)?,
+            width: view.width as usize,
+            triangle_ids,
+        })
+    }
+}
+
+impl EvidenceProbe<'_> {
+    /// The id at a pixel, counted by rows from the top: 0 for background and outside the picture,
+    /// otherwise the triangle's index plus one.
+    #[must_use]
+    pub fn triangle_id(&self, pixel: usize) -> u32 {
+        self.triangle_ids.get(pixel).copied().unwrap_or(0)
+    }
+
+    /// The point seen through a pixel's centre, in world units; `None` at the background.
+    #[must_use]
+    pub fn point(&self, pixel: usize) -> Option<DVec3> {
+        self.seen(pixel).map(|(_, point)| point)
+    }
+
+    /// All that is known of a pixel; `None` at the background.
+    #[must_use]
+    pub fn at(&self, pixel: usize) -> Option<Evidence> {
+        let (own, point) = self.seen(pixel)?;
+        let (blockers, nearest_blocker) = self.blockers(own, point);
+        Some(Evidence {
+            point,
+            triangle: own.triangle,
+            blockers,
+            nearest_blocker,
+            px_size: self.px_size(point),
+        })
+    }
+
+    /// The unit vector from a point towards the light; not a number at the light itself.
+    #[must_use]
+    pub fn towards_light(&self, point: DVec3) -> DVec3 {
+        Segment::new(point, self.light, self.reference.tree.scale).direction()
+    }
+
+    /// The direction, of length 1, of the picture of a line through the light, at a place in the
+    /// picture (pixels from the top left corner). It points to or from the light. `None` at the
+    /// light's own picture.
+    #[must_use]
+    pub fn radial_px(&self, place_px: DVec2) -> Option<DVec2> {
+        self.projection
+            .line_through(self.light.homogeneous(), place_px)
+    }
+
+    /// Width of a pixel at a point, across the line of sight, in world units.
+    #[must_use]
+    pub fn px_size(&self, point: DVec3) -> f64 {
+        let centre = self.projection.place_px(point).unwrap_or_default();
+        let [one, other] = [-0.5, 0.5].map(|x| self.projection.ray(centre + DVec2::new(x, 0.0)));
+        one.direction.distance(other.direction) * point.distance(self.projection.eye)
+    }
+
+    fn seen(&self, pixel: usize) -> Option<(&Primitive, DVec3)> {
+        let triangle = self.triangle_id(pixel).checked_sub(1)?;
+        let tree = &self.reference.tree;
+        let own = tree.primitive(triangle);
+        let (x, y) = (pixel % self.width, pixel / self.width);
+        let centre_px = DVec2::new(x as f64 + 0.5, y as f64 + 0.5);
+        let point = point_seen(&self.projection, centre_px, &own.corners, tree.scale)?;
+        Some((own, point))
+    }
+
+    /// How many casting triangles block the way to the light, and the distance of the nearest.
+    fn blockers(&self, own: &Primitive, start: DVec3) -> (u32, Option<f64>) {
+        let tree = &self.reference.tree;
+        let segment = Segment::new(start, self.light, tree.scale);
+        let (mut count, mut nearest) = (0, None);
+        let mut edges: Vec<EdgeContact> = Vec::new();
+        tree.visit_along(start, segment.direction(), segment.reach(), |other| {
+            if !other.casts || other.triangle == own.triangle {
+                return Visit::On;
+            }
+            let blocks = match contact(&segment, &other.corners) {
+                Contact::Block => true,
+                // Of two triangles that close an edge, one blocks.
+                Contact::Edge(edge) => {
+                    let closing = edges.iter().position(|known| known.closes(&edge));
+                    match closing {
+                        Some(known) => drop(edges.swap_remove(known)),
+                        None => edges.push(edge),
+                    }
+                    closing.is_some()
+                }
+                Contact::Miss | Contact::Touch | Contact::Unsure => false,
+            };
+            if blocks {
+                count += 1;
+                let distance = Plane::new(&other.corners)
+                    .map_or(f64::INFINITY, |plane| plane.distance_along(&segment));
+                nearest = Some(nearest.map_or(distance, |least: f64| least.min(distance)));
+            }
+            Visit::On
+        });
+        (count, nearest)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::fixtures::{Scene, square, view};
+    use super::*;
+    use glam::Vec3;
+
+    /// Looks straight down on a floor with five squares above it.
+    fn scene() -> (Scene, ReferenceView) {
+        let roofs = (2..7).map(|i| square(1.0, i as f32));
+        let scene = roofs
+            .fold(Scene::default(), |scene, roof| scene.cast(&roof))
+            .receive(&square(20.0, 0.0));
+        (
+            scene,
+            view(Vec3::new(30.0, 20.0, 0.0), Vec3::ZERO, 200, 200),
+        )
+    }
+
+    #[test]
+    fn blockers_are_counted_and_the_nearest_is_measured() {
+        let (scene, view) = scene();
+        let reference = scene.reference();
+        let ids = reference.visible_ids(&view).unwrap();
+        // Straight from above: the shadow is the square itself, and its diagonal passes the centre.
+        let probe = reference.evidence(Vec4::Y, &view, &ids).unwrap();
+        let mut shadowed = 0;
+        for pixel in 0..view.pixel_count() {
+            let Some(evidence) = probe.at(pixel).filter(|e| e.triangle >= scene.casters) else {
+                continue;
+            };
+            let inside = evidence.point.x.abs() < 1.0 && evidence.point.z.abs() < 1.0;
+            shadowed += u32::from(inside);
+            assert_eq!(evidence.blockers, if inside { 5 } else { 0 });
+            let nearest = evidence.nearest_blocker.unwrap_or(2.0);
+            assert!((nearest - 2.0).abs() < 1e-9, "{nearest}");
+        }
+        assert!(shadowed > 20, "{shadowed}");
+    }
+
+    #[test]
+    fn a_pixel_is_as_wide_as_the_picture_says() {
+        let (scene, view) = scene();
+        let reference = scene.reference();
+        let ids = reference.visible_ids(&view).unwrap();
+        let probe = reference.evidence(Vec4::Y, &view, &ids).unwrap();
+        let at = |x: usize| probe.point(150 * 200 + x).unwrap();
+        // The floor does not recede along a row.
+        let found = probe.px_size(at(100));
+        let expected = at(100).distance(at(101));
+        assert!(
+            (found / expected - 1.0).abs() < 0.02,
+            "{found} is not {expected}"
+        );
+    }
+
+    #[test]
+    fn lines_through_the_light_stay_so_in_the_picture() {
+        let (scene, view) = scene();
+        let reference = scene.reference();
+        let ids = reference.visible_ids(&view).unwrap();
+        let projection = Projection::new(&view).unwrap();
+        let point = DVec3::new(1.0, 0.0, 2.0);
+        // Before the eye, behind it, and at infinity on either side.
+        for light in [
+            Vec4::new(0.0, 9.0, 1.0, 1.0),
+            Vec4::new(90.0, 70.0, 11.0, 1.0),
+            Vec4::new(1.0, 2.0, 0.5, 0.0),
+            Vec4::new(-1.0, 0.2, 0.5, 0.0),
+        ] {
+            let probe = reference.evidence(light, &view, &ids).unwrap();
+            let [one, other] = [-0.1, 0.1].map(|step| {
+                let moved = point + step * probe.towards_light(point);
+                projection.place_px(moved).unwrap()
+            });
+            let middle = projection.place_px(point).unwrap();
+            let radial = probe.radial_px(middle).unwrap();
+            let sine = radial.perp_dot((other - one).normalize()).abs();
+            assert!(sine < 1e-6, "{light}: {sine}");
+        }
+    }
+}
