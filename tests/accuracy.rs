@@ -55,8 +55,8 @@ fn errors(gpu: &Gpu, scene: &mut Scene, shots: &[(View, Vec4)]) -> Vec<Vec<MaskE
             methods
                 .iter()
                 .map(|method| {
-                    let mask = verifier.draw_mask(method.as_ref()).unwrap();
-                    verifier.judge(&mask, &truth).unwrap().error
+                    let mask = verifier.draw_mask(method.as_ref(), &truth).unwrap();
+                    verifier.judge(&mask, &truth, method.as_ref()).unwrap().error
                 })
                 .collect()
         })

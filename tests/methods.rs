@@ -62,11 +62,11 @@ fn draw_all<'a>(
     let truth = verifier.truth(&scene.camera.view_at(0.0)).unwrap();
     let draw = |method: &str| {
         let prepared = parse_method(method).unwrap().prepare(&context).unwrap();
-        let mask = verifier.draw_mask(prepared.as_ref()).unwrap();
+        let mask = verifier.draw_mask(prepared.as_ref(), &truth).unwrap();
         Drawn {
             method: method.to_owned(),
             counts: readback::read_stencil(gpu, &stage.targets.depth).unwrap(),
-            error: verifier.judge(&mask, &truth).unwrap().error,
+            error: verifier.judge(&mask, &truth, prepared.as_ref()).unwrap().error,
             mask,
         }
     };

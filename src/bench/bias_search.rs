@@ -2,8 +2,9 @@
 
 use super::Verifier;
 use super::record::{BiasRow, Cell};
+use super::verify::Truth;
 use crate::config::RunPlan;
-use crate::methods::{BiasSearch, MethodError, PrepareContext};
+use crate::methods::{BiasSearch, PrepareContext, PreparedMethod};
 use crate::metrics::Label;
 use crate::scene::{CameraPath, View};
 
@@ -42,47 +43,47 @@ pub(super) fn views(plan: &RunPlan, camera: &CameraPath) -> Vec<View> {
 }
 
 /// Doubles the bias until there is no acne, then halves the gap to the last bias that left some. Acne is
-/// taken to become less as the bias grows; a bias that was tried is never reported free of acne if it was not.
+/// taken to become less as the bias grows; what is reported was tried.
 ///
-/// The outer error is the device's, the inner one the method's.
+/// # Errors
+/// A [`crate::methods::MethodError`] where the method cannot run here; else the device's.
 pub(super) fn find(
     cell: &Cell,
     search: &BiasSearch<'_>,
     context: &PrepareContext<'_>,
     verifier: &Verifier<'_>,
     views: &[View],
-) -> anyhow::Result<Result<FoundBias, MethodError>> {
+) -> anyhow::Result<FoundBias> {
+    let truths = views
+        .iter()
+        .map(|view| verifier.truth(view))
+        .collect::<anyhow::Result<Vec<_>>>()?;
     let mut tried = 0;
-    let mut attempt = |slope_bias: f64| -> anyhow::Result<Result<Trial, MethodError>> {
+    let mut trial = |slope_bias: f64| {
         tried += 1;
-        try_bias(search, slope_bias, context, verifier, views)
+        let prepared = (search.with_bias)(slope_bias).prepare(context)?;
+        try_bias(slope_bias, prepared.as_ref(), verifier, &truths)
     };
-    let mut trial = |slope_bias| attempt(slope_bias);
-    let unbiased = match trial(0.0)? {
-        Ok(unbiased) => unbiased,
-        Err(error) => return Ok(Err(error)),
-    };
+    let unbiased = trial(0.0)?;
     let (mut with_acne, mut found) = (unbiased, unbiased);
     let mut next = FIRST_BIAS;
     while found.acne_px > 0.0 && next <= LARGEST_BIAS {
         with_acne = found;
-        match trial(next)? {
-            Ok(result) => found = result,
-            Err(error) => return Ok(Err(error)),
-        }
+        found = trial(next)?;
         next *= 2.0;
     }
-    if found.acne_px == 0.0 {
-        while found.slope_bias - with_acne.slope_bias > PRECISION * found.slope_bias.max(1.0) {
-            let middle = (found.slope_bias + with_acne.slope_bias) / 2.0;
-            match trial(middle)? {
-                Ok(result) if result.acne_px > 0.0 => with_acne = result,
-                Ok(result) => found = result,
-                Err(error) => return Ok(Err(error)),
-            }
+    let is_coarse = |low: Trial, high: Trial| {
+        high.slope_bias - low.slope_bias > PRECISION * high.slope_bias.max(1.0)
+    };
+    while found.acne_px == 0.0 && is_coarse(with_acne, found) {
+        let middle = trial((found.slope_bias + with_acne.slope_bias) / 2.0)?;
+        if middle.acne_px > 0.0 {
+            with_acne = middle;
+        } else {
+            found = middle;
         }
     }
-    Ok(Ok(FoundBias {
+    Ok(FoundBias {
         slope_bias: found.slope_bias,
         row: BiasRow {
             scene: cell.scene.clone(),
@@ -96,32 +97,26 @@ pub(super) fn find(
             detached_px: found.detached_px,
             tried,
         },
-    }))
+    })
 }
 
 fn try_bias(
-    search: &BiasSearch<'_>,
     slope_bias: f64,
-    context: &PrepareContext<'_>,
+    prepared: &dyn PreparedMethod,
     verifier: &Verifier<'_>,
-    views: &[View],
-) -> anyhow::Result<Result<Trial, MethodError>> {
-    let prepared = match (search.with_bias)(slope_bias).prepare(context) {
-        Ok(prepared) => prepared,
-        Err(error) => return Ok(Err(error)),
-    };
+    truths: &[Truth],
+) -> anyhow::Result<Trial> {
     let (mut acne_px, mut detached_px) = (0, 0);
-    for view in views {
-        let truth = verifier.truth(view)?;
-        let mask = verifier.draw_mask(prepared.as_ref(), &truth)?;
-        let analysis = verifier.judge(&mask, &truth, prepared.as_ref())?.analysis;
+    for truth in truths {
+        let mask = verifier.draw_mask(prepared, truth)?;
+        let analysis = verifier.judge(&mask, truth, prepared)?.analysis;
         acne_px += analysis.label_px(Label::Acne);
         detached_px += analysis.label_px(Label::DetachedShadow);
     }
-    let a_frame = |sum: u64| sum as f64 / views.len().max(1) as f64;
-    Ok(Ok(Trial {
+    let a_frame = |sum: u64| sum as f64 / truths.len().max(1) as f64;
+    Ok(Trial {
         slope_bias,
         acne_px: a_frame(acne_px),
         detached_px: a_frame(detached_px),
-    }))
+    })
 }

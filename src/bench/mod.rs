@@ -1,6 +1,8 @@
 //! Running a plan: load each scene, prepare its methods, verify their masks, measure them
 //! interleaved, and keep every result as it comes.
 
+mod bias_search;
+mod cell;
 mod measure;
 mod observer;
 pub mod record;
@@ -9,6 +11,7 @@ mod runner;
 mod scene_run;
 pub mod statistics;
 pub mod verify;
+mod verify_cells;
 
 pub use observer::Observer;
 pub use runner::{RunRequest, run};

@@ -48,7 +48,11 @@ fn not_loaded(request: &RunRequest<'_>, plan: &ScenePlan, error: SceneError) -> 
     let reason = format!("{:#}", anyhow::Error::new(error));
     let reason = reason.split_whitespace().collect::<Vec<_>>().join(" ");
     let summary = |method: &MethodPlan| {
-        let cell = name_cell(&plan.file.name, method.method.as_ref(), request.plan.size_px);
+        let cell = name_cell(
+            &plan.file.name,
+            method.method.as_ref(),
+            request.plan.size_px,
+        );
         Summary::from_samples(&cell, &[], &[], status, &reason)
     };
     SceneOutcome {
@@ -79,7 +83,9 @@ fn run_loaded(
     let context = PrepareContext::new(request.gpu, scene, &stages[0]);
     let methods = &request.plan.methods;
     let verified = request.plan.verified_frames() > 0;
-    let searched = methods.iter().any(|plan| plan.method.bias_search().is_some());
+    let searched = methods
+        .iter()
+        .any(|plan| plan.method.bias_search().is_some());
     let verifiers = if verified || searched {
         let first = Verifier::new(request.gpu, scene, &stages[0], request.cache)?;
         stages.iter().map(|stage| first.on(stage)).collect()
@@ -92,16 +98,23 @@ fn run_loaded(
         let stage = stages.iter().position(|stage| stage.depth == setup);
         let state = match stage {
             Some(stage) => prepare(request, &context.on(&stages[stage]), plan, &verifiers, dir)?,
-            None => State::of(Err(setup.check(request.gpu).map_or_else(
-                MethodError::Unavailable,
-                |()| unreachable!("there is a stage for each setup that the device can draw"),
-            ))),
+            None => State::of(Err(setup
+                .check(request.gpu)
+                .map_or_else(MethodError::Unavailable, |()| {
+                    unreachable!("there is a stage for each setup that the device can draw")
+                }))),
         };
         if let State::Not(..) = state {
             request.observer.advance(request.plan.steps_per_cell());
         }
         let size_px = request.plan.size_px;
-        cells.push(CellRun::new(plan, scene, size_px, stage.unwrap_or(0), state));
+        cells.push(CellRun::new(
+            plan,
+            scene,
+            size_px,
+            stage.unwrap_or(0),
+            state,
+        ));
     }
     if verified {
         verify_cells(request, scene, &verifiers, &mut cells, dir)?;
@@ -154,14 +167,14 @@ fn prepare(
     phase("finding the bias of");
     let cell = name_cell(&scene.name, method, request.plan.size_px);
     let views = bias_search::views(request.plan, &scene.camera);
-    let found = bias_search::find(&cell, &search, context, &verifiers[0], &views)?;
-    Ok(State::of(match found {
-        Err(error) => Err(error),
+    match bias_search::find(&cell, &search, context, &verifiers[0], &views) {
         Ok(found) => {
             dir.append_bias(&found.row)?;
-            (search.with_bias)(found.slope_bias).prepare(context)
+            let biased = (search.with_bias)(found.slope_bias);
+            Ok(State::of(biased.prepare(context)))
         }
-    }))
+        Err(error) => Ok(State::of(Err(error.downcast::<MethodError>()?))),
+    }
 }
 
 fn measure_cells(

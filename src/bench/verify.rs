@@ -3,20 +3,25 @@
 use crate::frame::{FrameView, Stage};
 use crate::gpu::{FrameRecorder, Gpu, readback};
 use crate::methods::PreparedMethod;
-use crate::metrics::{MaskComparison, MaskError};
+use crate::metrics::{
+    Analysis, Distances, EdgeDistances, Flicker, FrameContext, MaskComparison, MaskError, analyse,
+    mean_flip,
+};
 use crate::reference::{
-    BoundaryProbe, CacheKey, Reference, ReferenceCache, ReferenceMask, ReferenceView,
+    BoundaryProbe, CacheKey, Motion, Reference, ReferenceCache, ReferenceMask, ReferenceView,
+    Verdict,
 };
 use crate::scene::{Scene, View};
 use anyhow::Context;
 use glam::Vec4;
+use std::rc::Rc;
 
-/// Draws single frames of one scene and judges their masks.
+/// Draws single frames of one scene on one stage and judges their masks.
 pub struct Verifier<'a> {
     gpu: &'a Gpu,
     scene: &'a Scene,
     stage: &'a Stage,
-    reference: Reference,
+    reference: Rc<Reference>,
     cache: &'a ReferenceCache,
     /// The light of the pictures; at first the scene's.
     pub light: Vec4,
@@ -24,15 +29,22 @@ pub struct Verifier<'a> {
 
 /// What is true at one view.
 pub struct Truth {
+    camera: View,
     view: ReferenceView,
+    triangle_ids: Vec<u32>,
     /// The verdict of each pixel.
     pub mask: ReferenceMask,
+    edges: EdgeDistances,
 }
 
 /// How a method did at one view.
 pub struct Judgement {
     /// Counts of wrong pixels.
     pub error: MaskError,
+    /// How far they are from the true edge.
+    pub distances: Distances,
+    /// What kind of errors they are.
+    pub analysis: Analysis,
     /// RGB, rows from the top: where they are.
     pub error_map: Vec<u8>,
 }
@@ -61,17 +73,27 @@ impl<'a> Verifier<'a> {
             gpu,
             scene,
             stage,
-            reference,
+            reference: Rc::new(reference),
             cache,
             light: scene.light,
         })
     }
 
-    /// The truth at `view`, from the cache or traced; it stays the view of the frames drawn next.
+    /// The same for frames that are drawn on another stage of the scene.
+    pub fn on(&self, stage: &'a Stage) -> Self {
+        Self {
+            stage,
+            reference: Rc::clone(&self.reference),
+            ..*self
+        }
+    }
+
+    /// The truth at `view`, from the cache or traced.
     ///
     /// # Errors
     /// When the device is lost, or the view is no perspective.
     pub fn truth(&self, view: &View) -> anyhow::Result<Truth> {
+        let camera = *view;
         let FrameView {
             view_projection, ..
         } = self.stage.set_view(self.gpu, view, self.light);
@@ -79,25 +101,31 @@ impl<'a> Verifier<'a> {
         self.stage.record_gbuffer(&mut frame);
         frame.submit();
         let ids = readback::read_texture(self.gpu, &self.stage.targets.triangle_ids)?;
-        let ids: Vec<u32> = bytemuck::pod_collect_to_vec(&ids);
+        let triangle_ids: Vec<u32> = bytemuck::pod_collect_to_vec(&ids);
         let view = ReferenceView {
             width: self.stage.targets.width,
             height: self.stage.targets.height,
             view_projection,
         };
         let light = self.light;
-        let key = CacheKey::new(&self.scene.mesh_hash, light, &view, &ids);
-        let mask = self
-            .cache
-            .get_or_trace(&key, &view, || self.reference.trace(light, &view, &ids))?;
-        Ok(Truth { view, mask })
+        let key = CacheKey::new(&self.scene.mesh_hash, light, &view, &triangle_ids);
+        let trace = || self.reference.trace(light, &view, &triangle_ids);
+        let mask = self.cache.get_or_trace(&key, &view, trace)?;
+        Ok(Truth {
+            camera,
+            edges: EdgeDistances::new(&mask),
+            view,
+            triangle_ids,
+            mask,
+        })
     }
 
-    /// Draws the frame with `method` at the view set last, and returns the mask: 0 or 255 a pixel.
+    /// Draws the frame with `method` at the view of `truth`, and returns the mask: 0 lit to 255 in shadow.
     ///
     /// # Errors
     /// When the device is lost.
-    pub fn draw_mask(&self, method: &dyn PreparedMethod) -> anyhow::Result<Vec<u8>> {
+    pub fn draw_mask(&self, method: &dyn PreparedMethod, truth: &Truth) -> anyhow::Result<Vec<u8>> {
+        self.stage.set_view(self.gpu, &truth.camera, self.light);
         let mut frame = FrameRecorder::untimed(self.gpu);
         self.stage.record(&mut frame, method);
         frame.submit();
@@ -112,17 +140,84 @@ impl<'a> Verifier<'a> {
         readback::read_texture(self.gpu, &self.stage.targets.colour)
     }
 
-    /// Compares a mask with the truth of the same view.
+    /// RGBA of the frame as it is with the true shadows; ambiguous pixels are lit.
+    ///
+    /// # Errors
+    /// When the device is lost.
+    pub fn true_picture(&self, truth: &Truth) -> anyhow::Result<Vec<u8>> {
+        self.stage.set_view(self.gpu, &truth.camera, self.light);
+        let mut frame = FrameRecorder::untimed(self.gpu);
+        self.stage.record_gbuffer(&mut frame);
+        frame.submit();
+        let in_shadow = |verdict: &Verdict| u8::from(*verdict == Verdict::Shadowed) * u8::MAX;
+        let mask: Vec<u8> = truth.mask.verdicts.iter().map(in_shadow).collect();
+        self.stage.targets.write_mask(self.gpu, &mask);
+        let mut frame = FrameRecorder::untimed(self.gpu);
+        self.stage.record_shade(&mut frame);
+        frame.submit();
+        self.read_picture()
+    }
+
+    /// Compares a mask with the truth of the same view. `method`, which drew it, may know its shadow map's
+    /// texels.
     ///
     /// # Errors
     /// When mask and truth differ in size.
-    pub fn judge(&self, mask: &[u8], truth: &Truth) -> anyhow::Result<Judgement> {
+    pub fn judge(
+        &self,
+        mask: &[u8],
+        truth: &Truth,
+        method: &dyn PreparedMethod,
+    ) -> anyhow::Result<Judgement> {
         let light = self.light;
         let probe = BoundaryProbe::new(&self.reference, light, &truth.view, &truth.mask)?;
         let comparison = MaskComparison::new(mask, &truth.mask, |x, y| probe.near_boundary(x, y))?;
+        let context = FrameContext {
+            reference: &self.reference,
+            light,
+            view: &truth.view,
+            triangle_ids: &truth.triangle_ids,
+            texel: Some(&|point| method.texel_of(point)),
+        };
         Ok(Judgement {
             error: comparison.error(),
+            distances: comparison.distances(&truth.edges),
+            analysis: analyse(&comparison, &context)?,
             error_map: comparison.error_map(),
         })
     }
+
+    /// Where the surface points seen at one view appear at another.
+    ///
+    /// # Errors
+    /// When a view is no perspective.
+    pub fn motion(&self, from: &Truth, to: &Truth) -> anyhow::Result<Motion> {
+        let from = (&from.view, &from.triangle_ids[..]);
+        let to = (&to.view, &to.triangle_ids[..]);
+        Ok(self.reference.follow(from, to)?)
+    }
+
+    /// Mean FLIP of two pictures of the frame, RGBA: 0 alike to 1.
+    ///
+    /// # Errors
+    /// When they differ in size.
+    pub fn flip(&self, truth: &[u8], picture: &[u8]) -> anyhow::Result<f64> {
+        let size = [self.stage.targets.width, self.stage.targets.height];
+        Ok(mean_flip(size, truth, picture)?)
+    }
+}
+
+/// Which errors of a method's masks come or go from one view to the next.
+///
+/// # Errors
+/// When a mask and its truth differ in size.
+pub(super) fn flicker(
+    motion: &Motion,
+    (mask, truth): (&[u8], &Truth),
+    (next_mask, next): (&[u8], &Truth),
+) -> anyhow::Result<Flicker> {
+    // How far an error is from the edge does not matter here.
+    let before = MaskComparison::new(mask, &truth.mask, |_, _| true)?;
+    let after = MaskComparison::new(next_mask, &next.mask, |_, _| true)?;
+    Ok(Flicker::between(motion, &before, &after))
 }

@@ -132,10 +132,7 @@ fn verify_cell(
         let write = |kind, image: Image<'_>| dir.write_image(cell, kind, &image);
         write(ImageKind::Picture, Image::rgba(size_px, &picture))?;
         write(ImageKind::Mask, Image::grey(size_px, &mask))?;
-        write(
-            ImageKind::Error,
-            Image::rgb(size_px, &judgement.error_map),
-        )?;
+        write(ImageKind::Error, Image::rgb(size_px, &judgement.error_map))?;
     }
     let error = FrameError {
         frame,

@@ -1,5 +1,6 @@
 //! The command line: one subcommand a file, arguments in, calls out.
 
+mod accuracy;
 mod list;
 mod progress;
 mod render;
@@ -32,6 +33,8 @@ pub struct Cli {
 enum Command {
     /// Measure and verify what a configuration names, and write a report.
     Run(run::RunArgs),
+    /// As run, but verify every few frames, and look for flicker and visible difference too.
+    Accuracy(accuracy::AccuracyArgs),
     /// Draw one frame with one method, and compare it with the truth.
     Render(render::RenderArgs),
     /// List methods, scenes and devices.
@@ -91,7 +94,8 @@ impl Cli {
     /// Anything that went wrong; [`exit_code`] tells what that means for the shell.
     pub fn execute(self) -> anyhow::Result<()> {
         match self.command {
-            Command::Run(args) => run::execute(&args),
+            Command::Run(args) => run::execute(&args, None),
+            Command::Accuracy(args) => accuracy::execute(&args),
             Command::Render(args) => render::execute(&args),
             Command::List(args) => list::execute(&args),
             Command::Report(args) => report::execute(&args),

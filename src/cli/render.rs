@@ -66,6 +66,15 @@ pub(super) struct RenderArgs {
     device: DeviceArgs,
 }
 
+/// Numbers by name.
+type Counts = serde_json::Map<String, serde_json::Value>;
+
+fn counts<'a>(counts: impl Iterator<Item = (&'a str, u64)>) -> Counts {
+    counts
+        .map(|(name, count)| (name.to_owned(), count.into()))
+        .collect()
+}
+
 /// What is printed.
 #[derive(Serialize)]
 struct Output<'a> {
@@ -77,11 +86,13 @@ struct Output<'a> {
     width: u32,
     height: u32,
     errors: MaskError,
+    labels: Counts,
+    distances_px: Counts,
     frame_ms: f64,
     cpu_ms: f64,
     record_ms: f64,
     draw_calls: u32,
-    stages_ms: serde_json::Map<String, serde_json::Value>,
+    stages_ms: Counts,
     warnings: Vec<String>,
 }
 
@@ -95,7 +106,9 @@ pub(super) fn execute(args: &RenderArgs) -> anyhow::Result<()> {
     check_size(&gpu, args.size, "--size")?;
     let info = method.info();
     info.check(&gpu).map_err(MethodError::Unavailable)?;
-    let stage = Stage::new(&gpu, &scene, width, height);
+    let depth = method.depth_setup();
+    depth.check(&gpu).map_err(MethodError::Unavailable)?;
+    let stage = Stage::new(&gpu, &scene, width, height).with_depth(&gpu, depth);
     let context = PrepareContext::new(&gpu, &scene, &stage);
     let prepared = method
         .prepare(&context)
@@ -104,9 +117,9 @@ pub(super) fn execute(args: &RenderArgs) -> anyhow::Result<()> {
     let cache = reference_cache();
     let verifier = Verifier::new(&gpu, &scene, &stage, &cache)?;
     let truth = verifier.truth(&view)?;
-    let mask = verifier.draw_mask(prepared.as_ref())?;
+    let mask = verifier.draw_mask(prepared.as_ref(), &truth)?;
     let picture = verifier.read_picture()?;
-    let judgement = verifier.judge(&mask, &truth)?;
+    let judgement = verifier.judge(&mask, &truth, prepared.as_ref())?;
     let write = |path: &Option<PathBuf>, image: Image<'_>| {
         path.as_ref().map_or(Ok(()), |path| image.write_png(path))
     };
@@ -132,6 +145,8 @@ pub(super) fn execute(args: &RenderArgs) -> anyhow::Result<()> {
         width,
         height,
         errors: judgement.error,
+        labels: counts(judgement.analysis.label_counts()),
+        distances_px: counts(judgement.distances.classes()),
         frame_ms: times.frame_ms(),
         cpu_ms: times.cpu_ms,
         record_ms: times.record_ms,
@@ -184,7 +199,7 @@ fn view(args: &RenderArgs, scene: &Scene) -> anyhow::Result<View> {
     Ok(view)
 }
 
-fn stages(times: &StageTimes) -> serde_json::Map<String, serde_json::Value> {
+fn stages(times: &StageTimes) -> Counts {
     times
         .stages
         .iter()
@@ -212,6 +227,11 @@ fn text(output: &Output<'_>, times: &StageTimes) -> String {
         errors.artifact_px,
         errors.ambiguous_px,
     ));
+    if !output.labels.is_empty() {
+        let kinds = output.labels.iter();
+        let kinds: Vec<_> = kinds.map(|(word, px)| format!("{px} {word}")).collect();
+        text.push_str(&format!("kinds of error: {}\n", kinds.join(", ")));
+    }
     let stages: Vec<_> = times
         .stages
         .iter()

@@ -36,11 +36,12 @@ pub(super) struct RunArgs {
     clippy::print_stdout,
     reason = "the table and the report's path are this command's result"
 )]
-pub(super) fn execute(args: &RunArgs) -> anyhow::Result<()> {
+pub(super) fn execute(args: &RunArgs, accuracy: Option<u32>) -> anyhow::Result<()> {
     let mut plan = RunPlan::read(&args.config, &args.scale)?;
     let overrides = Overrides {
         size_px: args.size,
         frames: args.frames,
+        accuracy,
         only: args.only.clone(),
     };
     overrides.apply(&mut plan)?;

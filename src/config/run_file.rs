@@ -194,13 +194,14 @@ fn parse(text: &str, base: &Path, scale: &str) -> Result<RunPlan, Misplaced> {
     if let Err(message) = check_size((width, height)) {
         return Err(Misplaced::new(wire.size.span(), message));
     }
+    let verified_frames = verified_frames(&wire)?;
     Ok(RunPlan {
         title: wire.title,
         size_px: (width, height),
         frames: in_range(&wire.frames, "frames", 1, MOST_FRAMES)?,
         warmup_frames: in_range(&wire.warmup_frames, "warmup_frames", 0, MOST_FRAMES)?,
         verification: Verification {
-            frames: verified_frames(&wire)?,
+            frames: verified_frames,
             flicker: wire.flicker,
             flip: wire.flip,
         },

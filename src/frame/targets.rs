@@ -82,4 +82,18 @@ impl Targets {
             colour,
         }
     }
+
+    /// Replaces the shadow mask, for a picture with shadows that no method drew.
+    pub fn write_mask(&self, gpu: &Gpu, mask: &[u8]) {
+        gpu.queue.write_texture(
+            self.mask.as_image_copy(),
+            mask,
+            wgpu::TexelCopyBufferLayout {
+                offset: 0,
+                bytes_per_row: Some(self.width),
+                rows_per_image: None,
+            },
+            self.mask.size(),
+        );
+    }
 }

@@ -166,7 +166,7 @@ pub trait ShadowMethod {
 }
 
 /// A method ready to draw frames of one scene.
-pub trait PreparedMethod {
+pub trait PreparedMethod: Sync {
     /// Records its stages between G-buffer and shading; they add its shadows to the mask.
     fn record(&self, frame: &mut FrameRecorder<'_>, stage: &Stage);
 
