@@ -309,6 +309,14 @@ fn more_shadows_than_a_counter_holds_overflow() {
 }
 
 #[test]
+fn with_texels_a_lone_shadow_in_the_light_is_acne() {
+    let dots = SHOT.plant(|x, y| on_lit_floor(x, y) && x % 20 == 5 && y % 20 == 5);
+    let grid = |point: DVec3| Some(texel(point, 0.08));
+    let analysis = SHOT.analyse(&dots, Some(&grid));
+    assert_eq!(analysis.label_px(Label::Acne), errors(&dots).wrong_px());
+}
+
+#[test]
 fn words_are_what_results_say() {
     let words = Label::ALL.map(Label::word).join(" ");
     assert_eq!(
