@@ -2,9 +2,12 @@
 
 use glam::{DVec3, Vec3};
 
+use std::path::Path;
+
 use super::shot::{CENTRE, HEIGHT, LIGHT, RADIUS, Shot, WIDTH};
-use crate::reference::Verdict;
 use crate::reference::fixtures::{Scene, square};
+use crate::reference::{Reference, ReferenceView, Verdict};
+use crate::scene::{ModelSearch, SceneFile};
 
 const BOX_LOW: DVec3 = DVec3::new(-0.7, 0.5, -0.5);
 const BOX_HIGH: DVec3 = DVec3::new(0.6, 1.4, 0.4);
@@ -125,4 +128,32 @@ fn a_box_casts_the_shadow_of_the_formula() {
     check(&shot, box_blocks, box_normal);
     // It is flat: the formula holds to the pixel.
     assert_eq!(shot.truth.count(Verdict::Ambiguous), 0);
+}
+
+#[test]
+fn hardly_a_pixel_of_the_sphere_grid_is_ambiguous() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes/sphere_grid.toml");
+    let search = ModelSearch::for_scene_file(&path);
+    let scene = SceneFile::read(&path).unwrap().load(&search).unwrap();
+    let mesh = &scene.mesh;
+    let casters = mesh.casters().map(|object| object.triangle_range());
+    let casts: Vec<_> = casters.collect();
+    let reference = Reference::new(&mesh.positions, &mesh.triangles, |triangle| {
+        casts
+            .iter()
+            .any(|range| range.contains(&(triangle as usize)))
+    })
+    .unwrap();
+    for time_s in scene.camera.frame_times(6) {
+        let view = ReferenceView {
+            width: 320,
+            height: 240,
+            view_projection: scene.camera.view_at(time_s).view_projection(4.0 / 3.0),
+        };
+        let ids = reference.visible_ids(&view).unwrap();
+        let mask = reference.trace(scene.light, &view, &ids).unwrap();
+        let ambiguous = mask.count(Verdict::Ambiguous);
+        assert!(ambiguous * 200 < 320 * 240, "{ambiguous} at {time_s} s");
+        assert!(mask.count(Verdict::Shadowed) > 1000);
+    }
 }

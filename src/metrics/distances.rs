@@ -43,6 +43,13 @@ impl EdgeDistances {
         };
         Self { distance_px }
     }
+
+    /// How far a pixel is from the edge, in pixels.
+    pub(super) fn of(&self, pixel: usize) -> f64 {
+        self.distance_px
+            .get(pixel)
+            .map_or(f64::INFINITY, |&distance| f64::from(distance))
+    }
 }
 
 /// Wrong pixels by their distance from the true shadow edge.

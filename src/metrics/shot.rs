@@ -2,7 +2,7 @@
 
 use glam::{DVec3, Vec3, Vec4};
 
-use super::{Analysis, FrameContext, Label, MaskComparison, TexelLookup, analyse};
+use super::{Analysis, EdgeDistances, FrameContext, Label, MaskComparison, TexelLookup, analyse};
 use crate::reference::fixtures::{Scene, sphere, square, view};
 use crate::reference::{BoundaryProbe, EvidenceProbe, Reference, ReferenceMask, ReferenceView};
 
@@ -67,6 +67,7 @@ impl Shot {
             light: self.light,
             view: &self.view,
             triangle_ids: &self.ids,
+            edges: &EdgeDistances::new(&self.truth),
             texel,
         };
         analyse(&self.compare(mask), &context).unwrap()

@@ -2,6 +2,7 @@
 
 use glam::{DVec3, Vec4};
 
+use crate::metrics::distances::EdgeDistances;
 use crate::metrics::mask_error::MaskComparison;
 use crate::reference::{Evidence, EvidenceProbe, Reference, ReferenceError, ReferenceView};
 
@@ -20,6 +21,8 @@ pub struct FrameContext<'a> {
     pub view: &'a ReferenceView,
     /// As [`Reference::trace`] takes them.
     pub triangle_ids: &'a [u32],
+    /// How far pixels are from the true edge, of the reference that was compared with.
+    pub edges: &'a EdgeDistances,
     /// The texels of the shadow map, for a method that has one.
     pub texel: Option<&'a TexelLookup<'a>>,
 }
@@ -37,7 +40,10 @@ const TEXEL_SAMPLES: usize = 64;
 pub(super) struct Frame<'a> {
     pub(super) comparison: &'a MaskComparison<'a>,
     pub(super) probe: EvidenceProbe<'a>,
+    pub(super) edges: &'a EdgeDistances,
     pub(super) texel: Option<&'a TexelLookup<'a>>,
+    /// The median width of texels at wrong pixels, in pixels of the picture.
+    pub(super) texel_px: Option<f64>,
     pub(super) width: usize,
 }
 
@@ -55,14 +61,19 @@ impl<'a> Frame<'a> {
             light,
             view,
             triangle_ids,
+            edges,
             texel,
         } = *context;
-        Ok(Self {
+        let mut frame = Self {
             comparison,
             probe: reference.evidence(light, view, triangle_ids)?,
+            edges,
             texel,
+            texel_px: None,
             width: view.width as usize,
-        })
+        };
+        frame.texel_px = frame.median_texel_px();
+        Ok(frame)
     }
 
     /// What is known of at most `samples` of these pixels, evenly spread.
@@ -103,11 +114,10 @@ impl<'a> Frame<'a> {
 
     /// The largest gap between regions that belong together.
     pub(super) fn link_px(&self) -> u8 {
-        let texels = LINK_TEXELS * self.median_texel_px().unwrap_or(0.0);
+        let texels = LINK_TEXELS * self.texel_px.unwrap_or(0.0);
         texels.clamp(LINK_PX, LINK_MAX_PX) as u8
     }
 
-    /// The median width of texels at wrong pixels, in pixels of the picture.
     fn median_texel_px(&self) -> Option<f64> {
         self.texel?;
         let results = self.comparison.results().iter().enumerate();

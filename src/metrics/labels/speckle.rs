@@ -40,10 +40,14 @@ const BAR_WITH_TEXELS: Bar = Bar {
 const LIT_SHARE: f64 = 0.9;
 /// and this share has no true edge
 const AWAY_SHARE: f64 = 0.5;
-/// within this many pixels, along rows and columns.
-const EDGE_PX: i64 = 4;
+/// within this many pixels.
+const AWAY_PX: f64 = 4.0;
 
-/// At most this many pixels of a cluster are looked at for edges near them.
+/// Where texels are known, no speckle is asked for this many texels away from the true edge: there
+/// a map has nothing but the surface itself to shadow it with.
+const AWAY_TEXELS: f64 = 2.0;
+
+/// At most this many pixels of a cluster are asked for their distance from the edge.
 const EDGE_SAMPLES: usize = 1024;
 
 /// Whether a cluster of false-shadowed regions is acne.
@@ -53,12 +57,18 @@ pub(super) fn is_speckle(frame: &Frame<'_>, cluster: &Cluster) -> bool {
     } else {
         BAR
     };
+    if let Some(texel_px) = frame.texel_px
+        && is_lit_and_away(frame, &cluster.pixels, AWAY_PX.max(AWAY_TEXELS * texel_px))
+    {
+        return true;
+    }
     if cluster.pixels.len() < bar.min_px {
         return false;
     }
     let crossings = crossings(frame, &cluster.pixels);
     let broken = cluster.regions >= bar.min_regions && crossings >= bar.crossings;
-    (broken || crossings >= bar.crossings_of_few) && is_on_lit_surface(frame, &cluster.pixels)
+    (broken || crossings >= bar.crossings_of_few)
+        && is_lit_and_away(frame, &cluster.pixels, AWAY_PX)
 }
 
 /// How often a row crosses the pixels, in the mean over the rows that do; or a column, if more often.
@@ -87,7 +97,8 @@ fn crossings(frame: &Frame<'_>, pixels: &[usize]) -> f64 {
     (runs[0] as f64 / rows as f64).max(runs[1] as f64 / columns as f64)
 }
 
-fn is_on_lit_surface(frame: &Frame<'_>, pixels: &[usize]) -> bool {
+/// Whether pixels show a lit surface, farther than this from the true edge.
+fn is_lit_and_away(frame: &Frame<'_>, pixels: &[usize], away_px: f64) -> bool {
     let truth = frame.comparison.truth;
     let lit = pixels
         .iter()
@@ -95,12 +106,8 @@ fn is_on_lit_surface(frame: &Frame<'_>, pixels: &[usize]) -> bool {
     if (lit.count() as f64) < LIT_SHARE * pixels.len() as f64 {
         return false;
     }
-    let edge_near = |&pixel: &usize| {
-        let (x, y) = ((pixel % frame.width) as i64, (pixel / frame.width) as i64);
-        let differs = |dx, dy| truth.get(x + dx, y + dy) == Some(Verdict::Shadowed);
-        (-EDGE_PX..=EDGE_PX).any(|dy| (-EDGE_PX..=EDGE_PX).any(|dx| differs(dx, dy)))
-    };
-    let samples: Vec<bool> = spread(pixels, EDGE_SAMPLES).map(edge_near).collect();
-    let away = samples.iter().filter(|&&near| !near).count();
+    let edge_px = |&pixel: &usize| frame.edges.of(pixel);
+    let samples: Vec<f64> = spread(pixels, EDGE_SAMPLES).map(edge_px).collect();
+    let away = samples.iter().filter(|&&px| px > away_px).count();
     away as f64 >= AWAY_SHARE * samples.len() as f64
 }

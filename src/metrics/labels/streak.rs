@@ -15,8 +15,8 @@ const MIN_LENGTH_PX: f64 = 16.0;
 const MIN_RATIO: f64 = 5.0;
 /// or, if it is broken into dots, this many times,
 const MIN_BROKEN_RATIO: f64 = 10.0;
-/// and points to or from the light to within this angle. By chance, one line in 18 does.
-const MAX_ANGLE_DEGREES: f64 = 5.0;
+/// and points to or from the light to within this angle. By chance, one line in 30 does.
+const MAX_ANGLE_DEGREES: f64 = 3.0;
 
 /// A streak has at most this many others near it: more are a speckle or a pattern of stripes.
 const MAX_REGIONS: usize = 4;
@@ -34,9 +34,11 @@ pub(super) enum Leaks {
     None,
 }
 
-/// Judges a cluster as a whole.
+/// Judges a cluster as a whole. A shadow map has no volumes that could leak.
 pub(super) fn leaks(frame: &Frame<'_>, cluster: &Cluster) -> Leaks {
-    if is_streak(frame, &cluster.pixels, MIN_BROKEN_RATIO) {
+    if frame.texel.is_some() {
+        Leaks::None
+    } else if is_streak(frame, &cluster.pixels, MIN_BROKEN_RATIO) {
         Leaks::All
     } else if cluster.regions <= MAX_REGIONS {
         Leaks::Streaks

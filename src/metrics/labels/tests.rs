@@ -125,7 +125,7 @@ fn a_streak_of_light_or_of_dots_is_a_leak_too() {
     assert_eq!(analysis.regions[0].sign, Sign::FalseLit);
     assert_eq!(analysis.regions[0].label, Label::Leak, "{analysis:?}");
     let on_line = line(&shot, DVec2::new(45.0, 175.0), 24.0, 0.0);
-    let dots = shot.plant(|x, y| on_line(x, y) && (7 * x + 13 * y) % 5 == 0);
+    let dots = shot.plant(|x, y| on_line(x, y) && (7 * x + 13 * y).is_multiple_of(5));
     assert!(shot.analyse(&dots, None).regions.len() > 4);
     assert_eq!(shot.only_label(&dots), Label::Leak);
 }
@@ -152,7 +152,7 @@ fn a_blob_is_no_evidence() {
 #[test]
 fn errors_of_several_kinds_are_told_apart() {
     let streak = line(&SHOT, DVec2::new(270.0, 190.0), 14.0, 0.0);
-    let acne = |x: usize, y: usize| on_lit_floor(x, y) && (x * 7 + y * 13) % 5 == 0;
+    let acne = |x: usize, y: usize| on_lit_floor(x, y) && (x * 7 + y * 13).is_multiple_of(5);
     let mask = SHOT.plant(|x, y| acne(x, y) || streak(x, y));
     let analysis = SHOT.analyse(&mask, None);
     let acne_px = errors(&SHOT.plant(acne)).wrong_px();
@@ -306,6 +306,14 @@ fn more_shadows_than_a_counter_holds_overflow() {
     };
     assert_eq!(stack(300), Label::Overflow);
     assert_eq!(stack(200), Label::Unlabelled);
+}
+
+#[test]
+fn with_texels_a_lone_shadow_in_the_light_is_acne() {
+    let dots = SHOT.plant(|x, y| on_lit_floor(x, y) && x % 20 == 5 && y % 20 == 5);
+    let grid = |point: DVec3| Some(texel(point, 0.08));
+    let analysis = SHOT.analyse(&dots, Some(&grid));
+    assert_eq!(analysis.label_px(Label::Acne), errors(&dots).wrong_px());
 }
 
 #[test]
