@@ -56,7 +56,10 @@ fn errors(gpu: &Gpu, scene: &mut Scene, shots: &[(View, Vec4)]) -> Vec<Vec<MaskE
                 .iter()
                 .map(|method| {
                     let mask = verifier.draw_mask(method.as_ref(), &truth).unwrap();
-                    verifier.judge(&mask, &truth, method.as_ref()).unwrap().error
+                    verifier
+                        .judge(&mask, &truth, method.as_ref())
+                        .unwrap()
+                        .error
                 })
                 .collect()
         })

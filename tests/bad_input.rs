@@ -231,8 +231,17 @@ fn a_configuration_is_refused_with_the_place_and_the_nearest_key() {
          &["run.toml:12:1", "from 1 to 32"]),
         ("\"shadow_map\"\nresolution = 64", "\"triangle_ts\"\npasses = 3",
          &["run.toml:12:1", "from 1 to 2"]),
-        ("\"shadow_map\"\nresolution = 64", "\"triangle_ts\"\nfront_cap = \"in_place\"",
-         &["run.toml:12:1", "needs `passes = 1`"]),
+        ("\"shadow_map\"\nresolution = 64", "\"triangle_ts\"\nfront_cap = \"in_plaec\"",
+         &["run.toml:14:13", "did you mean `in_place`?"]),
+        ("\"shadow_map\"\nresolution = 64", "\"triangle_gs\"\nnear = 0.0", &["run.toml:12:1", "`near` is 0"]),
+        ("resolution = 64", "slope_bias = \"serach\"", &["run.toml:14:14", "serach", "\"search\""]),
+        ("resolution = 64", "pcf = 4", &["run.toml:12:1", "`pcf` is 4", "odd"]),
+        ("resolution = 64", "resolution = []", &["run.toml:14:14", "lists no value"]),
+        ("resolution = 64", "resolution = [64, 1.5]", &["run.toml:14:19", "1.5"]),
+        ("resolution = 64", "resolution = [64, 64]", &["run.toml:12:1", "there already"]),
+        ("resolution = 64", "resolution = { from = 1, to = 9 }", &["run.toml:14:14", "a `factor` above 1"]),
+        ("verified_frames = 1", "verify_every = 0", &["run.toml:5:16", "from 1"]),
+        ("seed = 1", "verify_every = 2", &["run.toml:6:16", "remove one"]),
     ];
     for (from, to, parts) in table {
         refused(&room, &changed(CONFIG, from, to), &[], parts);

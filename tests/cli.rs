@@ -124,6 +124,118 @@ fn a_run_leaves_everything_that_the_contract_names() {
     assert!(out.join("plots").read_dir().unwrap().count() >= 2);
 }
 
+const ACCURACY: &str = r#"
+title = "Accuracy"
+size = [64, 48]
+frames = 4
+warmup_frames = 0
+verified_frames = 0
+
+[[scenes]]
+scene = "sphere_grid"
+slices = 8
+
+[[methods]]
+id = "silhouette_gs"
+depth = ["reversed", "standard"]
+
+[[methods]]
+id = "shadow_map"
+resolution = { from = 64, to = 256, factor = 2 }
+pcf = [1, 3]
+
+[[methods]]
+id = "cube_shadow_map"
+resolution = 128
+slope_bias = "search"
+"#;
+
+#[test]
+fn accuracy_verifies_along_the_flight_and_charts_what_it_finds() {
+    let (_dir, config, out) = workplace(ACCURACY);
+    succeed(&[
+        "accuracy",
+        &config,
+        "--out",
+        &out,
+        "--every",
+        "2",
+        "--validation",
+    ]);
+    let out = Path::new(&out);
+    let (summary, errors) = (
+        rows(&out.join("summary.csv")),
+        rows(&out.join("errors.csv")),
+    );
+    assert_eq!((summary.len(), errors.len()), (9, 18));
+    for row in &summary {
+        let of = |error: &&std::collections::HashMap<String, String>| {
+            error["method"] == row["method"] && error["variant"] == row["variant"]
+        };
+        let own: Vec<_> = errors.iter().filter(of).collect();
+        for column in [
+            "false_lit",
+            "false_shadowed",
+            "boundary_px",
+            "followed_px",
+            "flicker_px",
+        ] {
+            let sum: u64 = own.iter().map(|e| e[column].parse::<u64>().unwrap()).sum();
+            assert_eq!(row[column], sum.to_string(), "{column} of {row:?}");
+        }
+        assert!(row["followed_px"].parse::<u64>().unwrap() > 1000, "{row:?}");
+        let flip: f64 = row["flip_mean"].parse().unwrap();
+        let wrong = row["false_lit"] != "0" || row["false_shadowed"] != "0";
+        assert_eq!(flip > 0.0, wrong, "{row:?}");
+    }
+    // Measured frames 0 and 2 of 4.
+    let times: Vec<_> = errors.iter().map(|e| &*e["time_s"]).collect();
+    assert_eq!((times[0], times[9]), ("0.0", times[17]));
+    assert!(times[9].parse::<f64>().unwrap() > 1.0);
+
+    let info: serde_json::Value =
+        serde_json::from_slice(&std::fs::read(out.join("run.json")).unwrap()).unwrap();
+    let methods = info["methods"].as_array().unwrap();
+    let on_curve = |curve: &str| {
+        let points = methods.iter().filter(|m| m["sweep"]["curve"] == curve);
+        points
+            .map(|m| m["sweep"]["value"].as_f64().unwrap())
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(on_curve("pcf=3"), [64.0, 128.0, 256.0]);
+    assert_eq!(on_curve(""), [64.0, 128.0, 256.0]);
+
+    // The bias that was found leaves no acne, and half of it does.
+    let bias = &rows(&out.join("bias.csv"))[0];
+    assert_eq!((&*bias["resolution"], &*bias["acne_px"]), ("128", "0.0"));
+    assert!(
+        bias["acne_px_unbiased"].parse::<f64>().unwrap() > 0.0,
+        "{bias:?}"
+    );
+    let found: f64 = bias["slope_bias"].parse().unwrap();
+    assert!(found > 0.1 && found < 8.0, "{bias:?}");
+
+    // The chart's numbers are the summary's.
+    let pareto = rows(&out.join("pareto.csv"));
+    assert_eq!(pareto.len(), 9);
+    for row in &pareto {
+        let of = |s: &&std::collections::HashMap<String, String>| {
+            s["method"] == row["method"] && s["variant"] == row["variant"]
+        };
+        let own = summary.iter().find(of).unwrap();
+        for column in [
+            "shadow_ms_median",
+            "false_lit",
+            "false_shadowed",
+            "artifact_px",
+        ] {
+            assert_eq!(row[column], own[column]);
+        }
+    }
+    assert!(pareto.iter().any(|row| row["front"] == "true"));
+    assert!(out.join("plots/pareto_sphere_grid_n8.svg").is_file());
+}
+
 #[test]
 fn only_size_and_frames_override_the_configuration() {
     let (_dir, config, out) = workplace(CONFIG);

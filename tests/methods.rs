@@ -66,7 +66,10 @@ fn draw_all<'a>(
         Drawn {
             method: method.to_owned(),
             counts: readback::read_stencil(gpu, &stage.targets.depth).unwrap(),
-            error: verifier.judge(&mask, &truth, prepared.as_ref()).unwrap().error,
+            error: verifier
+                .judge(&mask, &truth, prepared.as_ref())
+                .unwrap()
+                .error,
             mask,
         }
     };

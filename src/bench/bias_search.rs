@@ -10,7 +10,8 @@ use crate::scene::{CameraPath, View};
 
 /// The first bias that is tried after none, in texels.
 const FIRST_BIAS: f64 = 0.25;
-/// Larger biases are not tried: they move shadows by more than a hundred texels.
+/// The largest bias that is tried: it moves shadows by more than a hundred texels. A power of two times the
+/// first, so that doubling ends there.
 const LARGEST_BIAS: f64 = 128.0;
 /// The bias is found to this part of it, or to this many texels, whichever is coarser.
 const PRECISION: f64 = 1.0 / 16.0;
@@ -19,7 +20,7 @@ const VIEWS: u32 = 3;
 
 /// A bias that was found.
 pub(super) struct FoundBias {
-    /// In texels; the largest one tried where even that leaves acne.
+    /// In texels.
     pub slope_bias: f64,
     /// How it was found.
     pub row: BiasRow,
@@ -42,8 +43,9 @@ pub(super) fn views(plan: &RunPlan, camera: &CameraPath) -> Vec<View> {
     times_s.into_iter().map(|s| camera.view_at(s)).collect()
 }
 
-/// Doubles the bias until there is no acne, then halves the gap to the last bias that left some. Acne is
-/// taken to become less as the bias grows; what is reported was tried.
+/// The smallest bias that leaves no more acne than the largest one, for what no bias takes away is none:
+/// doubles the bias until it does, then halves the gap to the last one that did not. Acne is taken to become
+/// less as the bias grows; what is reported was tried.
 ///
 /// # Errors
 /// A [`crate::methods::MethodError`] where the method cannot run here; else the device's.
@@ -65,22 +67,24 @@ pub(super) fn find(
         try_bias(slope_bias, prepared.as_ref(), verifier, &truths)
     };
     let unbiased = trial(0.0)?;
-    let (mut with_acne, mut found) = (unbiased, unbiased);
+    let largest = trial(LARGEST_BIAS)?;
+    let is_enough = |trial: Trial| trial.acne_px <= largest.acne_px;
+    let (mut too_small, mut found) = (unbiased, unbiased);
     let mut next = FIRST_BIAS;
-    while found.acne_px > 0.0 && next <= LARGEST_BIAS {
-        with_acne = found;
+    while !is_enough(found) {
+        too_small = found;
         found = trial(next)?;
         next *= 2.0;
     }
     let is_coarse = |low: Trial, high: Trial| {
         high.slope_bias - low.slope_bias > PRECISION * high.slope_bias.max(1.0)
     };
-    while found.acne_px == 0.0 && is_coarse(with_acne, found) {
-        let middle = trial((found.slope_bias + with_acne.slope_bias) / 2.0)?;
-        if middle.acne_px > 0.0 {
-            with_acne = middle;
-        } else {
+    while is_coarse(too_small, found) {
+        let middle = trial((found.slope_bias + too_small.slope_bias) / 2.0)?;
+        if is_enough(middle) {
             found = middle;
+        } else {
+            too_small = middle;
         }
     }
     Ok(FoundBias {
@@ -90,7 +94,7 @@ pub(super) fn find(
             method: cell.method.clone(),
             variant: cell.variant.clone(),
             resolution: search.resolution,
-            slope_bias: (found.acne_px == 0.0).then_some(found.slope_bias),
+            slope_bias: found.slope_bias,
             acne_px_unbiased: unbiased.acne_px,
             acne_px: found.acne_px,
             detached_px_unbiased: unbiased.detached_px,

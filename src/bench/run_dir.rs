@@ -16,7 +16,7 @@ use std::path::{Path, PathBuf};
 struct Table {
     name: &'static str,
     path: PathBuf,
-    /// Made with the first row: a run without any leaves no file.
+    /// Made with the first row, if not before.
     writer: Option<csv::Writer<File>>,
 }
 
@@ -29,16 +29,24 @@ impl Table {
         }
     }
 
+    /// Makes the file, also if no row should come.
+    fn create(&mut self) -> anyhow::Result<&mut csv::Writer<File>> {
+        let writer = match self.writer.take() {
+            Some(writer) => writer,
+            None => csv::Writer::from_path(&self.path)
+                .with_context(|| format!("cannot create {}", self.path.display()))?,
+        };
+        Ok(self.writer.insert(writer))
+    }
+
     /// Appends rows and makes sure that they are there.
     fn append<T: Serialize>(&mut self, rows: &[T]) -> anyhow::Result<()> {
-        let cannot = || format!("cannot write {}", self.name);
-        let writer = match &mut self.writer {
-            Some(writer) => writer,
-            None if rows.is_empty() => return Ok(()),
-            None => self
-                .writer
-                .insert(csv::Writer::from_path(&self.path).with_context(cannot)?),
-        };
+        if rows.is_empty() {
+            return Ok(());
+        }
+        let name = self.name;
+        let cannot = || format!("cannot write {name}");
+        let writer = self.create()?;
         rows.iter()
             .try_for_each(|row| writer.serialize(row))
             .with_context(cannot)?;
@@ -67,9 +75,11 @@ impl RunDir {
         let images = path.join(IMAGES_DIR);
         std::fs::create_dir_all(&images)
             .with_context(|| format!("cannot create {}", images.display()))?;
+        let mut samples = Table::new(path, SAMPLES_FILE);
+        samples.create()?;
         Ok(Self {
             path: path.to_owned(),
-            samples: Table::new(path, SAMPLES_FILE),
+            samples,
             errors: Table::new(path, ERRORS_FILE),
             regions: Table::new(path, REGIONS_FILE),
             biases: Table::new(path, BIAS_FILE),

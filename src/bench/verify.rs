@@ -177,6 +177,7 @@ impl<'a> Verifier<'a> {
             light,
             view: &truth.view,
             triangle_ids: &truth.triangle_ids,
+            edges: &truth.edges,
             texel: Some(&|point| method.texel_of(point)),
         };
         Ok(Judgement {

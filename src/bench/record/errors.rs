@@ -88,15 +88,15 @@ pub struct BiasRow {
     pub variant: String,
     /// Side of the map in texels.
     pub resolution: u32,
-    /// The bias that was found; empty where even the largest one leaves acne.
-    pub slope_bias: Option<f64>,
+    /// The bias that was found, in texels.
+    pub slope_bias: f64,
     /// Acne without any slope bias, in pixels a frame.
     pub acne_px_unbiased: f64,
-    /// Acne with the bias found (or the largest one tried), in pixels a frame.
+    /// Acne with the bias found, in pixels a frame: what even the largest bias leaves.
     pub acne_px: f64,
     /// Detached shadow without any slope bias, in pixels a frame.
     pub detached_px_unbiased: f64,
-    /// Detached shadow with the bias found (or the largest one tried): what it costs, in pixels a frame.
+    /// Detached shadow with the bias found: what it costs, in pixels a frame.
     pub detached_px: f64,
     /// How many biases were tried.
     pub tried: u32,
