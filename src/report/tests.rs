@@ -14,7 +14,10 @@ use crate::bench::record::{
 /// The page alone: PNGs take most of a report's time, and few tests read them.
 fn html_of(dir: &TempDir) -> String {
     let run = Run::read(dir.path()).unwrap();
-    html::page(&run, None, &plots::draw(&run).unwrap(), &LEGEND).unwrap()
+    let clouds = pareto::clouds(&run);
+    let mut plots = plots::draw_pareto(&run, &clouds).unwrap();
+    plots.extend(plots::draw(&run).unwrap());
+    html::page(&run, None, &clouds, &plots, &LEGEND).unwrap()
 }
 
 #[test]
@@ -131,6 +134,9 @@ fn every_plot_is_written_as_svg_and_png_and_nothing_half_written_stays() {
     write_all(dir.path(), &LEGEND).unwrap();
     let plots = dir.path().join(PLOTS_DIR);
     let names = [
+        "pareto_all",
+        "pareto_grid_n10",
+        "pareto_grid_n20",
         "shadow_time_by_triangles",
         "shadow_time_by_scene",
         "flight_grid_n10",

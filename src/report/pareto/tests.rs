@@ -1,0 +1,1 @@
+//! Points, fronts and the file, over made-up runs.
