@@ -15,7 +15,7 @@ const MARKER_PX: i32 = 6;
 /// A name this far from its point still reads as the point's own, without a line.
 const NEAR_PX: i32 = 14;
 /// What it costs to lie over a line, in pixels of distance.
-const CROSSING: i32 = 25;
+const CROSSING: i32 = 40;
 /// What it costs to have names or markers under the line back to the point: it then seems to be theirs.
 const OVERRUN: i32 = 60;
 /// The sixteen directions, to the right first, where one looks for a name.

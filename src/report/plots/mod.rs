@@ -26,6 +26,7 @@ mod legend;
 mod lines;
 mod paper;
 mod pareto;
+mod sample_row;
 mod scatter;
 mod shadow_time_by_scene;
 mod shadow_time_by_triangles;

@@ -14,7 +14,8 @@ use crate::report::pareto::{Cloud, Point};
 pub(in crate::report) const PREFIX: &str = "pareto_";
 /// How much of an axis is kept for zero.
 const ZERO_BAND: f64 = 0.14;
-const NAME_CHARS: usize = 34;
+/// Enough for a method with a parameter; longer ones lose their middle.
+const NAME_CHARS: usize = 46;
 const CURVE_NAME_CHARS: usize = 60;
 /// A swept parameter with a name this short stands before its value: `pcf 3`, but `1024`.
 const SHORT_PARAMETER: usize = 4;

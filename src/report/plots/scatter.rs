@@ -5,19 +5,18 @@ use plotters::prelude::DrawingBackend;
 
 use super::axis::Axis;
 use super::canvas::{
-    CENTER, Canvas, FADED, FRONT, INK, LEFT, MUTED, PAPER, Px, WHISKER, text_width_px,
+    CENTER, Canvas, FADED, FRONT, INK, LEFT, MUTED, PAPER, Px, RIGHT, WHISKER, text_width_px,
 };
 use super::labels::{self, Anchor, Placed, Rect};
 use super::legend::Key;
 use super::lines::Frame;
+use super::sample_row;
 
 /// How large it is drawn: dozens of names need room.
 pub(super) const SIZE_PX: (u32, u32) = (1200, 800);
 const NAME_PX: i32 = 13;
-const KEY_PX: i32 = 14;
-const KEY_LINE_PX: i32 = 24;
 /// Half the width of a whisker's end.
-const CAP_PX: i32 = 3;
+pub(super) const CAP_PX: i32 = 3;
 
 /// A scatter chart; less is better on both axes.
 #[derive(Debug)]
@@ -52,21 +51,13 @@ pub(super) struct CurveLine {
     pub(super) dots: Vec<usize>,
 }
 
-/// An entry of the key above the chart.
-enum Sample<'a> {
-    Front,
-    Dominated,
-    Interval(&'a str),
-    Curve(&'a CurveLine),
-}
-
 impl ScatterChart {
     pub(super) fn paint<DB: DrawingBackend>(&self, canvas: &Canvas<'_, DB>) -> Result<()>
     where
         DB::ErrorType: 'static,
     {
         let (width, height) = canvas.size();
-        let below_key = self.paint_key(canvas, (16, 54))?;
+        let below_key = sample_row::paint(self, canvas, (16, 54))?;
         let frame = Frame {
             left: 84,
             right: width - 24,
@@ -95,8 +86,17 @@ impl ScatterChart {
         for (index, Placed { rect, .. }) in &placed {
             let dot = &self.dots[*index];
             let color = if dot.on_front { INK } else { MUTED };
-            let at = ((rect.left + rect.right) / 2, (rect.top + rect.bottom) / 2);
-            canvas.text(&dot.name, at, NAME_PX, color, CENTER)?;
+            let (x, _) = self.place_of(frame, dot.at);
+            let y = (rect.top + rect.bottom) / 2;
+            // Against the point: the room for a name is rather wider than the name.
+            let (at, pos) = if rect.left >= x {
+                ((rect.left + 2, y), LEFT)
+            } else if rect.right <= x {
+                ((rect.right - 2, y), RIGHT)
+            } else {
+                (((rect.left + rect.right) / 2, y), CENTER)
+            };
+            canvas.text(&dot.name, at, NAME_PX, color, pos)?;
         }
         Ok(())
     }
@@ -141,15 +141,39 @@ impl ScatterChart {
             right: frame.right - 2,
             bottom: frame.bottom - 2,
         };
-        let curves = self
-            .curves
-            .iter()
-            .map(|curve| self.path(frame, &curve.dots));
-        let paths: Vec<Vec<Px>> = curves.chain([self.front_path(frame)]).collect();
-        let pieces = paths.iter().flat_map(|path| path.windows(2));
-        let lines: Vec<[Px; 2]> = pieces.map(|ends| [ends[0], ends[1]]).collect();
-        let placed = labels::place(&anchors, bounds, &lines);
+        let placed = labels::place(&anchors, bounds, &self.lines(frame));
         order.into_iter().zip(placed).collect()
+    }
+
+    /// Every line that a name had better not lie over.
+    fn lines(&self, frame: Frame) -> Vec<[Px; 2]> {
+        let curves = self.curves.iter();
+        let paths = curves.map(|curve| self.path(frame, &curve.dots));
+        let mut lines: Vec<[Px; 2]> = Vec::new();
+        for path in paths.chain([self.front_path(frame)]) {
+            lines.extend(path.windows(2).map(|ends| [ends[0], ends[1]]));
+        }
+        for dot in &self.dots {
+            lines.extend(self.whiskers(frame, dot).into_iter().flatten());
+        }
+        let y = self.break_y(frame);
+        lines.extend(y.map(|y| [(frame.left, y), (frame.right, y)]));
+        lines
+    }
+
+    /// The height at which the vertical axis breaks off before zero, if it does.
+    fn break_y(&self, frame: Frame) -> Option<i32> {
+        let band = self.y.zero_band()?;
+        let band_px = f64::from(frame.bottom - frame.top) * band * 0.92;
+        Some(frame.bottom - band_px.round() as i32)
+    }
+
+    /// A dot's intervals, the horizontal one first.
+    fn whiskers(&self, frame: Frame, dot: &Dot) -> [Option<[Px; 2]>; 2] {
+        let (x, y) = self.place_of(frame, dot.at);
+        let across = |(low, high)| [(frame.x(&self.x, low), y), (frame.x(&self.x, high), y)];
+        let along = |(low, high)| [(x, frame.y(&self.y, low)), (x, frame.y(&self.y, high))];
+        [dot.x_range.map(across), dot.y_range.map(along)]
     }
 
     fn paint_dot<DB: DrawingBackend>(
@@ -182,19 +206,17 @@ impl ScatterChart {
         DB::ErrorType: 'static,
     {
         for dot in &self.dots {
-            let (x, y) = self.place_of(frame, dot.at);
-            if let Some((low, high)) = dot.x_range {
-                let (low, high) = (frame.x(&self.x, low), frame.x(&self.x, high));
-                canvas.line(vec![(low, y), (high, y)], WHISKER, 1)?;
-                for end in [low, high] {
-                    canvas.line(vec![(end, y - CAP_PX), (end, y + CAP_PX)], WHISKER, 1)?;
+            let [across, along] = self.whiskers(frame, dot);
+            for (ends, cap) in [(across, (0, CAP_PX)), (along, (CAP_PX, 0))] {
+                for end in ends.into_iter().flatten() {
+                    let (from, to) = (
+                        (end.0 - cap.0, end.1 - cap.1),
+                        (end.0 + cap.0, end.1 + cap.1),
+                    );
+                    canvas.line(vec![from, to], WHISKER, 1)?;
                 }
-            }
-            if let Some((low, high)) = dot.y_range {
-                let (low, high) = (frame.y(&self.y, low), frame.y(&self.y, high));
-                canvas.line(vec![(x, low), (x, high)], WHISKER, 1)?;
-                for end in [low, high] {
-                    canvas.line(vec![(x - CAP_PX, end), (x + CAP_PX, end)], WHISKER, 1)?;
+                if let Some(ends) = ends {
+                    canvas.line(ends.to_vec(), WHISKER, 1)?;
                 }
             }
         }
@@ -206,27 +228,16 @@ impl ScatterChart {
     where
         DB::ErrorType: 'static,
     {
-        let part = |length: i32, fraction: f64| (f64::from(length) * fraction).round() as i32;
-        let (mut left, mut bottom) = (frame.left, frame.bottom);
+        let left = frame.left;
         if let Some(band) = self.x.zero_band() {
-            left += part(frame.right - frame.left, band * 0.92);
-            canvas.dashed_line(vec![(left, frame.top), (left, frame.bottom)], MUTED, 1, 4)?;
+            let band_px = f64::from(frame.right - left) * band * 0.92;
+            let x = left + band_px.round() as i32;
+            canvas.dashed_line(vec![(x, frame.top), (x, frame.bottom)], MUTED, 1, 4)?;
         }
-        if let Some(band) = self.y.zero_band() {
-            bottom -= part(frame.bottom - frame.top, band * 0.92);
-            canvas.dashed_line(
-                vec![(frame.left, bottom), (frame.right, bottom)],
-                MUTED,
-                1,
-                4,
-            )?;
-        }
-        canvas.line(
-            vec![(frame.left, frame.top), (frame.left, bottom)],
-            MUTED,
-            1,
-        )?;
+        let bottom = self.break_y(frame).unwrap_or(frame.bottom);
+        canvas.line(vec![(left, frame.top), (left, bottom)], MUTED, 1)?;
         if bottom < frame.bottom {
+            canvas.dashed_line(vec![(left, bottom), (frame.right, bottom)], MUTED, 1, 4)?;
             canvas.rect(
                 [(frame.left - 5, bottom - 3), (frame.left + 5, bottom + 3)],
                 PAPER,
@@ -237,70 +248,5 @@ impl ScatterChart {
             }
         }
         Ok(())
-    }
-
-    /// Draws the key in rows from `at` and gives the height at which it ends.
-    fn paint_key<DB: DrawingBackend>(&self, canvas: &Canvas<'_, DB>, at: Px) -> Result<i32>
-    where
-        DB::ErrorType: 'static,
-    {
-        let has = |found: bool, sample| found.then_some(sample);
-        let dominated = self.dots.iter().any(|dot| !dot.on_front);
-        let ranged = |dot: &Dot| dot.x_range.or(dot.y_range).is_some();
-        let interval = self.dots.iter().any(ranged);
-        let samples = [
-            Some(Sample::Front),
-            has(dominated, Sample::Dominated),
-            has(interval, Sample::Interval(self.interval)),
-        ];
-        let curves = self.curves.iter().map(Sample::Curve);
-        let (width, _) = canvas.size();
-        let (mut x, mut y) = at;
-        for sample in samples.into_iter().flatten().chain(curves) {
-            let entry_px = KEY_LINE_PX + 8 + text_width_px(sample.name(), KEY_PX);
-            if x > at.0 && x + entry_px > width - 16 {
-                (x, y) = (at.0, y + 22);
-            }
-            sample.paint(canvas, (x, y))?;
-            let text_at = (x + KEY_LINE_PX + 8, y);
-            canvas.text(sample.name(), text_at, KEY_PX, INK, LEFT)?;
-            x += entry_px + 20;
-        }
-        Ok(y + 16)
-    }
-}
-
-impl Sample<'_> {
-    fn name(&self) -> &str {
-        match self {
-            Self::Front => "Pareto front",
-            Self::Dominated => "dominated",
-            Self::Interval(what) => what,
-            Self::Curve(curve) => &curve.name,
-        }
-    }
-
-    fn paint<DB: DrawingBackend>(&self, canvas: &Canvas<'_, DB>, (x, y): Px) -> Result<()>
-    where
-        DB::ErrorType: 'static,
-    {
-        let (middle, right) = (x + KEY_LINE_PX / 2, x + KEY_LINE_PX);
-        match self {
-            Self::Front => canvas.line(
-                vec![(x, y - 5), (middle, y - 5), (middle, y + 5), (right, y + 5)],
-                FRONT,
-                2,
-            ),
-            Self::Dominated => canvas.marker(0, (middle, y), 4, FADED),
-            Self::Interval(_) => {
-                canvas.line(vec![(x, y), (right, y)], WHISKER, 1)?;
-                canvas.line(vec![(x, y - CAP_PX), (x, y + CAP_PX)], WHISKER, 1)?;
-                canvas.line(vec![(right, y - CAP_PX), (right, y + CAP_PX)], WHISKER, 1)
-            }
-            Self::Curve(curve) => {
-                canvas.line(vec![(x, y), (right, y)], curve.key.color, 1)?;
-                curve.key.marker(canvas, (middle, y))
-            }
-        }
     }
 }
