@@ -16,6 +16,11 @@ pub fn p95(values: &[f64]) -> Option<f64> {
     quantile(values, 0.95)
 }
 
+/// The 5th percentile, interpolated as [`p95`].
+pub fn p05(values: &[f64]) -> Option<f64> {
+    quantile(values, 0.05)
+}
+
 /// The arithmetic mean.
 pub fn mean(values: &[f64]) -> Option<f64> {
     (!values.is_empty()).then(|| values.iter().sum::<f64>() / values.len() as f64)
@@ -69,6 +74,13 @@ mod tests {
         // Rank 0.95 · 3 = 2.85: 85 % of the way from the third value to the fourth.
         let value = p95(&[4.0, 1.0, 2.0, 3.0]).unwrap();
         assert!((value - 3.85).abs() < 1e-12, "{value}");
+    }
+
+    #[test]
+    fn p05_interpolates_as_p95_does() {
+        // Rank 0.05 · 3 = 0.15: 15 % of the way from the first value to the second.
+        let value = p05(&[4.0, 1.0, 2.0, 3.0]).unwrap();
+        assert!((value - 1.15).abs() < 1e-12, "{value}");
     }
 
     #[test]

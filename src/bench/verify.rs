@@ -170,7 +170,8 @@ impl<'a> Verifier<'a> {
         method: &dyn PreparedMethod,
     ) -> anyhow::Result<Judgement> {
         let light = self.light;
-        let probe = BoundaryProbe::new(&self.reference, light, &truth.view, &truth.mask)?;
+        let wrong_px = wrong_px(mask, &truth.mask);
+        let probe = BoundaryProbe::new(&self.reference, light, &truth.view, &truth.mask, wrong_px)?;
         let comparison = MaskComparison::new(mask, &truth.mask, |x, y| probe.near_boundary(x, y))?;
         let context = FrameContext {
             reference: &self.reference,
@@ -206,6 +207,14 @@ impl<'a> Verifier<'a> {
         let size = [self.stage.targets.width, self.stage.targets.height];
         Ok(mean_flip(size, truth, picture)?)
     }
+}
+
+/// Pixels that are wrong, wherever.
+fn wrong_px(mask: &[u8], truth: &ReferenceMask) -> usize {
+    let is_wrong = |(value, verdict): &(&u8, &Verdict)| {
+        MaskComparison::is_shadowed(**value) != (**verdict == Verdict::Shadowed)
+    };
+    mask.iter().zip(&truth.verdicts).filter(is_wrong).count()
 }
 
 /// Which errors of a method's masks come or go from one view to the next.

@@ -139,7 +139,7 @@ impl<'a> MaskComparison<'a> {
         };
         let result = |(pixel, (&value, &verdict)): (usize, (&u8, &Verdict))| match (
             verdict,
-            value >= SHADOWED_FROM,
+            Self::is_shadowed(value),
         ) {
             (Verdict::Ambiguous, _) => PixelResult::Ambiguous,
             (Verdict::Background, true) => PixelResult::FalseShadowed(Place::Artifact),
@@ -181,6 +181,12 @@ impl<'a> MaskComparison<'a> {
             PixelResult::FalseShadowed(_) => Some(true),
             PixelResult::Right => Some(self.truth.verdicts[pixel] == Verdict::Shadowed),
         }
+    }
+
+    /// Whether a value of a mask counts as in shadow.
+    #[must_use]
+    pub fn is_shadowed(value: u8) -> bool {
+        value >= SHADOWED_FROM
     }
 
     /// What became of each pixel, by rows from the top.

@@ -57,7 +57,7 @@ impl Shot {
 
     pub(super) fn compare(&self, mask: &[u8]) -> MaskComparison<'_> {
         let probe =
-            BoundaryProbe::new(&self.reference, self.light, &self.view, &self.truth).unwrap();
+            BoundaryProbe::new(&self.reference, self.light, &self.view, &self.truth, 0).unwrap();
         MaskComparison::new(mask, &self.truth, |x, y| probe.near_boundary(x, y)).unwrap()
     }
 

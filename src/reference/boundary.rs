@@ -8,7 +8,11 @@ use super::view::Projection;
 use super::{Reference, ReferenceError, ReferenceMask, ReferenceView, Verdict};
 
 /// Samples along a pixel's side. A shadow thinner than a quarter of a pixel may go unseen.
-const SAMPLES_PER_PX: i64 = 4;
+const FINE_PER_PX: i64 = 4;
+/// The same where so much is asked that it would take seconds, and single pixels matter little.
+const COARSE_PER_PX: i64 = 2;
+/// More questions than this are many.
+const MANY_PX: usize = 20_000;
 
 /// Answers whether the true shadow boundary passes within one pixel of a pixel's centre (in the
 /// square of two pixels by two around it).
@@ -21,12 +25,14 @@ pub struct BoundaryProbe<'a> {
     light: Light,
     projection: Projection,
     truth: &'a ReferenceMask,
+    samples_per_px: i64,
     /// The lattice, by rows; 0 where not yet sampled.
     samples: Vec<AtomicU8>,
 }
 
 impl<'a> BoundaryProbe<'a> {
-    /// A probe for the picture that `truth` was traced for.
+    /// A probe for the picture that `truth` was traced for, to be asked of at most `wrong_px` pixels: of
+    /// many, it samples half a pixel apart instead of a quarter.
     ///
     /// # Errors
     /// As [`Reference::trace`].
@@ -35,19 +41,26 @@ impl<'a> BoundaryProbe<'a> {
         light: Vec4,
         view: &ReferenceView,
         truth: &'a ReferenceMask,
+        wrong_px: usize,
     ) -> Result<Self, ReferenceError> {
         let (expected, found) = (view.pixel_count(), truth.verdicts.len());
         if (truth.width, truth.height) != (view.width, view.height) || expected != found {
             return Err(ReferenceError::WrongSize { expected, found });
         }
         let (light, projection) = (Light::new(light)?, Projection::new(view)?);
-        let samples_len = expected * (SAMPLES_PER_PX * SAMPLES_PER_PX) as usize;
+        let samples_per_px = if wrong_px > MANY_PX {
+            COARSE_PER_PX
+        } else {
+            FINE_PER_PX
+        };
+        let samples_len = expected * (samples_per_px * samples_per_px) as usize;
         let samples = (0..samples_len).map(|_| AtomicU8::new(0)).collect();
         Ok(Self {
             reference,
             light,
             projection,
             truth,
+            samples_per_px,
             samples,
         })
     }
@@ -65,9 +78,9 @@ impl<'a> BoundaryProbe<'a> {
             return true;
         }
         // The pixel's own samples and half of each neighbour's.
-        let reach = SAMPLES_PER_PX / 2;
-        let span =
-            |pixel: i64| pixel * SAMPLES_PER_PX - reach..(pixel + 1) * SAMPLES_PER_PX + reach;
+        let per_px = self.samples_per_px;
+        let reach = per_px / 2;
+        let span = |pixel: i64| pixel * per_px - reach..(pixel + 1) * per_px + reach;
         span(row).any(|j| {
             span(column).any(|i| {
                 self.sample(i, j)
@@ -78,8 +91,9 @@ impl<'a> BoundaryProbe<'a> {
 
     /// The verdict at a point of the lattice, or `None` outside the picture.
     fn sample(&self, i: i64, j: i64) -> Option<Verdict> {
-        let columns = i64::from(self.truth.width) * SAMPLES_PER_PX;
-        let rows = i64::from(self.truth.height) * SAMPLES_PER_PX;
+        let per_px = self.samples_per_px;
+        let columns = i64::from(self.truth.width) * per_px;
+        let rows = i64::from(self.truth.height) * per_px;
         if !(0..columns).contains(&i) || !(0..rows).contains(&j) {
             return None;
         }
@@ -88,7 +102,7 @@ impl<'a> BoundaryProbe<'a> {
         if let Some(verdict) = decode(slot.load(Ordering::Relaxed)) {
             return Some(verdict);
         }
-        let place_px = DVec2::new(i as f64 + 0.5, j as f64 + 0.5) / SAMPLES_PER_PX as f64;
+        let place_px = DVec2::new(i as f64 + 0.5, j as f64 + 0.5) / per_px as f64;
         let seen = self.reference.visible(&self.projection, place_px);
         let verdict = seen.map_or(Verdict::Background, |(own, point)| {
             self.reference

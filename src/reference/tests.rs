@@ -229,7 +229,7 @@ fn a_shadow_thinner_than_a_pixel_is_found_between_centres() {
     let light = Vec4::new(1.0, 1.0, 0.0, 0.0);
     let reference = scene.reference();
     let (_, mask) = scene.trace(light, &view);
-    let probe = BoundaryProbe::new(&reference, light, &view, &mask).unwrap();
+    let probe = BoundaryProbe::new(&reference, light, &view, &mask, 0).unwrap();
     let near: Vec<u32> = (0..64).filter(|&x| probe.near_boundary(x, 20)).collect();
     assert!(
         (0..64).all(|x| !mask.boundary_among_neighbours(x, 20)),

@@ -7,9 +7,11 @@ use tempfile::TempDir;
 
 use super::{LegendEntry, Run};
 use crate::bench::record::{
-    Cell, DeviceRecord, FORMAT, FrameError, HostRecord, MethodRecord, RUN_FILE, RunInfo, RunStatus,
-    SAMPLES_FILE, SUMMARY_FILE, Sample, SceneRecord, Status, Summary,
+    BIAS_FILE, BiasRow, Cell, DeviceRecord, ERRORS_FILE, FORMAT, FrameError, HostRecord,
+    MethodRecord, REGIONS_FILE, RUN_FILE, RegionRow, RunInfo, RunStatus, SAMPLES_FILE,
+    SUMMARY_FILE, Sample, SceneRecord, Status, Summary, SweepRecord,
 };
+use serde::Serialize;
 
 pub(super) const LEGEND: [LegendEntry; 2] = [
     LegendEntry {
@@ -88,6 +90,7 @@ pub(super) fn samples(cell: &Cell, shadow_ms: f64) -> Vec<Sample> {
         triangles: cell.triangles.unwrap(),
         objects: cell.objects.unwrap(),
         method: cell.method.clone(),
+        variant: cell.variant.clone(),
         width: cell.width,
         height: cell.height,
         frame,
@@ -111,15 +114,13 @@ pub(super) fn write_run(dir: &Path, info: &RunInfo, samples: &[Sample], summarie
         serde_json::to_string_pretty(info).unwrap(),
     )
     .unwrap();
-    let mut writer = csv::Writer::from_path(dir.join(SAMPLES_FILE)).unwrap();
-    samples
-        .iter()
-        .for_each(|row| writer.serialize(row).unwrap());
-    writer.flush().unwrap();
-    let mut writer = csv::Writer::from_path(dir.join(SUMMARY_FILE)).unwrap();
-    summaries
-        .iter()
-        .for_each(|row| writer.serialize(row).unwrap());
+    write_rows(dir, SAMPLES_FILE, samples);
+    write_rows(dir, SUMMARY_FILE, summaries);
+}
+
+pub(super) fn write_rows<T: Serialize>(dir: &Path, file: &str, rows: &[T]) {
+    let mut writer = csv::Writer::from_path(dir.join(file)).unwrap();
+    rows.iter().for_each(|row| writer.serialize(row).unwrap());
     writer.flush().unwrap();
 }
 
@@ -199,6 +200,137 @@ pub(super) fn paper_run(dir: &str, device: &str, rows: &[Summary]) -> Run {
         info,
         samples: Vec::new(),
         summaries: rows.to_vec(),
+        errors: Vec::new(),
+        regions: Vec::new(),
+        biases: Vec::new(),
         warnings: Vec::new(),
+    }
+}
+
+/// What [`swept_run`] compares: eight exact or nearly exact methods, then two sweeps of five.
+const PLAIN: [(&str, &str, f64, u64); 8] = [
+    ("silhouette_ts", "", 1.9, 0),
+    ("silhouette_ts", "determinism=consistent_triangle", 2.1, 0),
+    ("silhouette_gs", "", 2.6, 0),
+    ("triangle_gs", "counting=z_pass", 4.4, 12),
+    ("triangle_ts", "", 5.5, 0),
+    ("silhouette_cs", "caps=off", 1.5, 3),
+    ("ray_query", "", 3.2, 0),
+    ("alias_free_map", "", 2.9, 1),
+];
+const SWEPT: [(&str, &str, &str); 2] = [
+    ("shadow_map", "", "resolution"),
+    ("cube_shadow_map", "slope_bias=2", "pcf"),
+];
+
+/// Eighteen contenders in three scenes, with all that verification can leave behind.
+pub(super) fn swept_run() -> TempDir {
+    let dir = tempfile::tempdir().unwrap();
+    let mut info = info(&["grid_n10", "grid_n20", "sponza"], &[]);
+    let mut contenders: Vec<(MethodRecord, f64, u64)> = Vec::new();
+    for (id, variant, shadow_ms, wrong_px) in PLAIN {
+        contenders.push((record(id, variant, None), shadow_ms, wrong_px));
+    }
+    for (id, curve, parameter) in SWEPT {
+        for step in 0..5_u32 {
+            let value = if parameter == "pcf" {
+                2 * step + 1
+            } else {
+                512 << step
+            };
+            let sweep = SweepRecord {
+                curve: curve.to_owned(),
+                parameter: parameter.to_owned(),
+                value: f64::from(value),
+            };
+            let variant = format!("{curve},{parameter}={value}");
+            let record = record(id, variant.trim_start_matches(','), Some(sweep));
+            let shadow_ms = 0.3 * 1.7_f64.powi(step as i32) * (2.0 - 1.0 / id.len() as f64);
+            contenders.push((record, shadow_ms, 9000 >> (2 * step)));
+        }
+    }
+    info.methods = contenders
+        .iter()
+        .map(|(record, ..)| record.clone())
+        .collect();
+    let (mut all, mut summaries, mut errors) = (Vec::new(), Vec::new(), Vec::new());
+    for (place, scene) in ["grid_n10", "grid_n20", "sponza"].into_iter().enumerate() {
+        for (method, shadow_ms, wrong_px) in &contenders {
+            let cell = Cell {
+                variant: method.variant.clone(),
+                ..cell(&info, scene, &method.id, 1000 << (2 * place))
+            };
+            let own = samples(&cell, shadow_ms * (1.0 + place as f64));
+            let wrong =
+                [0, 1].map(|frame| frame_error(&cell, frame, wrong_px * (place as u64 + 1)));
+            let row = Summary::from_samples(&cell, &own, &wrong, Status::Ok, "");
+            summaries.push(row);
+            all.extend(own);
+            errors.extend(wrong);
+        }
+    }
+    write_run(dir.path(), &info, &all, &summaries);
+    write_rows(dir.path(), ERRORS_FILE, &errors);
+    let region = RegionRow {
+        scene: "sponza".to_owned(),
+        method: "shadow_map".to_owned(),
+        variant: "resolution=512".to_owned(),
+        frame: 1,
+        sign: "false_lit".to_owned(),
+        label: "leak".to_owned(),
+        size_px: 1234,
+        left: 10,
+        top: 20,
+        right: 40,
+        bottom: 90,
+    };
+    write_rows(dir.path(), REGIONS_FILE, &[region]);
+    let bias = BiasRow {
+        scene: "sponza".to_owned(),
+        method: "shadow_map".to_owned(),
+        variant: "slope_bias=search".to_owned(),
+        resolution: 2048,
+        slope_bias: 2.25,
+        acne_px_unbiased: 4321.5,
+        acne_px: 0.0,
+        detached_px_unbiased: 1.5,
+        detached_px: 77.25,
+        tried: 9,
+    };
+    write_rows(dir.path(), BIAS_FILE, &[bias]);
+    dir
+}
+
+fn record(id: &str, variant: &str, sweep: Option<SweepRecord>) -> MethodRecord {
+    MethodRecord {
+        id: id.to_owned(),
+        variant: variant.to_owned(),
+        sweep,
+        ..MethodRecord::default()
+    }
+}
+
+/// A frame with about so many wrong pixels, more of them in later frames.
+fn frame_error(cell: &Cell, frame: u32, wrong_px: u64) -> FrameError {
+    let wrong_px = wrong_px * (10 + u64::from(frame)) / 10;
+    let far_px = wrong_px / 4;
+    FrameError {
+        scene: cell.scene.clone(),
+        method: cell.method.clone(),
+        variant: cell.variant.clone(),
+        width: cell.width,
+        height: cell.height,
+        frame,
+        false_lit: wrong_px - wrong_px / 3,
+        false_shadowed: wrong_px / 3,
+        boundary_px: wrong_px - far_px,
+        artifact_px: far_px,
+        distances: format!("1={};4={far_px};more=0", wrong_px - far_px),
+        distance_px_max: (wrong_px > 0).then_some(3.5),
+        labels: format!("acne={far_px};leak={}", wrong_px / 9),
+        followed_px: Some(1_000_000),
+        flicker_px: Some(wrong_px / 10),
+        flip: Some(0.0125),
+        ..FrameError::default()
     }
 }

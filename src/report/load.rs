@@ -1,14 +1,14 @@
 //! A run, read back from its directory.
 
-use std::fs;
-use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context as _, Result, bail};
-use serde::de::DeserializeOwned;
+use anyhow::Result;
 
+use super::curve::Contender;
+use super::read::{read_info, read_optional_rows, read_rows};
 use crate::bench::record::{
-    Cell, FORMAT, RUN_FILE, RunInfo, RunStatus, SAMPLES_FILE, SUMMARY_FILE, Sample, Status, Summary,
+    BIAS_FILE, BiasRow, Cell, ERRORS_FILE, FrameError, MethodRecord, REGIONS_FILE, RegionRow,
+    RunInfo, RunStatus, SAMPLES_FILE, SUMMARY_FILE, Sample, Status, Summary, SweepRecord,
 };
 
 /// A run as its directory tells it.
@@ -22,26 +22,14 @@ pub struct Run {
     pub samples: Vec<Sample>,
     /// Every cell. Cells that were cut off before they were summed up come last.
     pub summaries: Vec<Summary>,
+    /// Every verified frame; empty where the run has no such file, as the next two.
+    pub errors: Vec<FrameError>,
+    /// The largest regions of artifacts.
+    pub regions: Vec<RegionRow>,
+    /// What searching for biases found.
+    pub biases: Vec<BiasRow>,
     /// The run's own warnings, then what reading it had to work around.
     pub warnings: Vec<String>,
-}
-
-/// A method with what tells its rows apart: what a line, a bar colour or a table row stands for.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Contender {
-    /// Id of the method.
-    pub method: String,
-    /// Variant, and the size where it is not the run's own; may be empty.
-    pub variant: String,
-}
-
-impl Contender {
-    /// Id and variant in one line.
-    pub fn label(&self) -> String {
-        format!("{} {}", self.method, self.variant)
-            .trim_end()
-            .to_owned()
-    }
 }
 
 impl Run {
@@ -59,6 +47,9 @@ impl Run {
         summaries.extend(unsummed(&samples, &summaries));
         Ok(Self {
             dir: dir.to_owned(),
+            errors: read_optional_rows(&dir.join(ERRORS_FILE), cut_off, &mut warnings)?,
+            regions: read_optional_rows(&dir.join(REGIONS_FILE), cut_off, &mut warnings)?,
+            biases: read_optional_rows(&dir.join(BIAS_FILE), cut_off, &mut warnings)?,
             info,
             samples,
             summaries,
@@ -96,7 +87,7 @@ impl Run {
 
     /// Whom the run compares: in the run's order, then any that only the rows know.
     ///
-    /// A contender's place in this list decides its colour and marker in every plot.
+    /// The place of its [`Curve`](super::curve::Curve) among all curves decides its colour in every plot.
     pub fn contenders(&self) -> Vec<Contender> {
         let listed = self.info.methods.iter().map(|method| Contender {
             method: method.id.clone(),
@@ -124,6 +115,28 @@ impl Run {
             method: method.clone(),
             variant: format!("{variant}{size}").trim().to_owned(),
         }
+    }
+
+    /// The sweep that a contender is a point of.
+    pub fn sweep_of(&self, contender: &Contender) -> Option<&SweepRecord> {
+        let named = |record: &&MethodRecord| {
+            record.id == contender.method && record.variant == contender.variant
+        };
+        self.info
+            .methods
+            .iter()
+            .filter(named)
+            .find_map(|record| record.sweep.as_ref())
+    }
+
+    /// The verified frames that a row sums up.
+    pub fn errors_of<'a>(&'a self, row: &'a Summary) -> impl Iterator<Item = &'a FrameError> {
+        self.errors.iter().filter(|error| {
+            error.scene == row.scene
+                && error.method == row.method
+                && error.variant == row.variant
+                && (error.width, error.height) == (row.width, row.height)
+        })
     }
 
     /// The rows of a scene, in the order of [`Self::contenders`].
@@ -163,7 +176,7 @@ impl Run {
     }
 }
 
-fn unique<T: PartialEq>(items: impl Iterator<Item = T>) -> Vec<T> {
+pub(super) fn unique<T: PartialEq>(items: impl Iterator<Item = T>) -> Vec<T> {
     let mut seen = Vec::new();
     for item in items {
         if !seen.contains(&item) {
@@ -213,80 +226,4 @@ fn unsummed(samples: &[Sample], summaries: &[Summary]) -> Vec<Summary> {
         ));
     }
     rows
-}
-
-fn read_info(dir: &Path) -> Result<RunInfo> {
-    let path = dir.join(RUN_FILE);
-    let text = match fs::read_to_string(&path) {
-        Ok(text) => text,
-        Err(error) if error.kind() == ErrorKind::NotFound => bail!(
-            "{} is not a run directory: it has no {RUN_FILE}; name a directory that `svbench run` \
-             has written",
-            dir.display()
-        ),
-        Err(error) => {
-            return Err(error).with_context(|| format!("cannot read {}", path.display()));
-        }
-    };
-    // The version comes first: a newer layout would otherwise be reported as a missing field.
-    let value: serde_json::Value =
-        serde_json::from_str(&text).with_context(|| format!("{} is damaged", path.display()))?;
-    let format = value
-        .get("format")
-        .and_then(serde_json::Value::as_u64)
-        .unwrap_or_default();
-    if format > u64::from(FORMAT) {
-        bail!(
-            "{} has format {format}, and this version of svbench reads up to {FORMAT}: use the \
-             version that wrote it, or a newer one",
-            path.display()
-        );
-    }
-    serde_json::from_value(value).with_context(|| format!("{} is damaged", path.display()))
-}
-
-/// Reads a table. With `cut_off`, it may be missing, and its last row may be torn.
-fn read_rows<T: DeserializeOwned>(
-    path: &Path,
-    cut_off: bool,
-    warnings: &mut Vec<String>,
-) -> Result<Vec<T>> {
-    let mut text = match fs::read_to_string(path) {
-        Ok(text) => text,
-        Err(error) if error.kind() == ErrorKind::NotFound && cut_off => return Ok(Vec::new()),
-        Err(error) if error.kind() == ErrorKind::NotFound => bail!(
-            "{} is missing although {RUN_FILE} says that the run is complete: restore the file or \
-             repeat the run",
-            path.display()
-        ),
-        Err(error) => {
-            return Err(error).with_context(|| format!("cannot read {}", path.display()));
-        }
-    };
-    if cut_off && !text.is_empty() && !text.ends_with('\n') {
-        text.truncate(text.rfind('\n').map_or(0, |end| end + 1));
-        let name = path.file_name().unwrap_or_default().to_string_lossy();
-        warnings.push(format!("the last row of {name} is torn and was left out"));
-    }
-    let mut reader = csv::Reader::from_reader(text.as_bytes());
-    reader
-        .deserialize()
-        .collect::<Result<_, csv::Error>>()
-        .map_err(|error| {
-            let line = error.position().map_or(1, csv::Position::line);
-            anyhow::anyhow!("{}, line {line}: {}", path.display(), what_is_wrong(&error))
-        })
-}
-
-/// The core of a CSV error, without the position that the caller has already named.
-fn what_is_wrong(error: &csv::Error) -> String {
-    match error.kind() {
-        csv::ErrorKind::Deserialize { err, .. } => err.to_string(),
-        csv::ErrorKind::UnequalLengths {
-            expected_len, len, ..
-        } => {
-            format!("{len} fields where the header has {expected_len}")
-        }
-        _ => error.to_string(),
-    }
 }

@@ -4,7 +4,7 @@
 //! can be made again at any time, by another version of the program, on another machine, and also
 //! for a run that was interrupted.
 //!
-//! One output a file: [`table`], [`plots`], [`paper`], [`html`]. An output reads a [`Run`] and knows
+//! One output a file: [`table`], [`pareto`], [`plots`], [`paper`], [`html`]. An output reads a [`Run`] and knows
 //! nothing of the others, save that the page embeds the table's figures, the paper and the plots.
 //! [`merged`] puts several runs beside the paper.
 
@@ -16,16 +16,19 @@ use anyhow::{Context as _, Result};
 use paper::Paper;
 use plots::Plot;
 
+pub mod curve;
 pub mod format;
 pub mod groups;
 pub mod html;
 pub mod load;
 pub mod merged;
 pub mod paper;
+pub mod pareto;
 pub mod plots;
 pub mod table;
 
 mod markdown;
+mod read;
 mod write;
 
 pub use load::Run;
@@ -58,18 +61,21 @@ pub fn write_all(dir: &Path, legend: &[LegendEntry]) -> Result<PathBuf> {
     let groups = groups::group(slice::from_ref(&run), false)?;
     let paper = Paper::compare(&groups)?;
     paper::write(dir, paper.as_ref())?;
-    let mut plots = paper.as_ref().map_or(Ok(Vec::new()), plots::draw_paper)?;
+    let clouds = pareto::clouds(&run);
+    pareto::write(dir, &clouds)?;
+    let mut plots = plots::draw_pareto(&run, &clouds)?;
+    plots.extend(paper.as_ref().map_or(Ok(Vec::new()), plots::draw_paper)?);
     plots.extend(plots::draw(&run)?);
     write_plots(dir, &plots)?;
 
     let page = dir.join(HTML_FILE);
-    let text = html::page(&run, paper.as_ref(), &plots, legend)?;
+    let text = html::page(&run, paper.as_ref(), &clouds, &plots, legend)?;
     write::text(&page, &text)?;
     Ok(page)
 }
 
-/// Writes the plots into the folder `plots` of `dir`, and removes figures of the paper that an
-/// earlier report wrote and this one does not.
+/// Writes the plots into the folder `plots` of `dir`, and removes figures of the paper and of accuracy
+/// against speed that an earlier report wrote and this one does not.
 fn write_plots(dir: &Path, plots: &[Plot]) -> Result<()> {
     let dir = dir.join(PLOTS_DIR);
     std::fs::create_dir_all(&dir).with_context(|| format!("cannot create {}", dir.display()))?;
@@ -79,13 +85,31 @@ fn write_plots(dir: &Path, plots: &[Plot]) -> Result<()> {
             plot.write_png(path)
         })?;
     }
-    for name in paper::figure_names() {
-        if plots.iter().all(|plot| plot.name != name) {
-            write::remove(&dir.join(format!("{name}.svg")))?;
-            write::remove(&dir.join(format!("{name}.png")))?;
-        }
+    let stale = paper::figure_names().chain(pareto_plots(&dir)?);
+    for name in stale.filter(|name| plots.iter().all(|plot| plot.name != *name)) {
+        write::remove(&dir.join(format!("{name}.svg")))?;
+        write::remove(&dir.join(format!("{name}.png")))?;
     }
     Ok(())
+}
+
+/// The names of the plots of accuracy against speed in the folder `dir`: they depend on its scenes, so
+/// that only the folder knows what an earlier report wrote.
+fn pareto_plots(dir: &Path) -> Result<Vec<String>> {
+    let unreadable = || format!("cannot read {}", dir.display());
+    let mut names = Vec::new();
+    for entry in dir.read_dir().with_context(unreadable)? {
+        let path = entry.with_context(unreadable)?.path();
+        let is_plot = matches!(
+            path.extension().and_then(|e| e.to_str()),
+            Some("svg" | "png")
+        );
+        let name = path.file_stem().unwrap_or_default().to_string_lossy();
+        if is_plot && name.starts_with(plots::PARETO_PREFIX) {
+            names.push(name.into_owned());
+        }
+    }
+    Ok(names)
 }
 
 #[cfg(test)]

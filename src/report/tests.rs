@@ -4,17 +4,20 @@ use std::fs;
 
 use tempfile::TempDir;
 
-use super::fixture::{HOSTILE, LEGEND, cell, info, made_up_run, samples, write_run};
+use super::fixture::{HOSTILE, LEGEND, cell, info, made_up_run, samples, swept_run, write_run};
 use super::*;
 use crate::bench::record::{
-    IMAGES_DIR, ImageKind, RUN_FILE, RunStatus, SAMPLES_FILE, SUMMARY_FILE, Status, Summary,
-    image_name,
+    FrameError, IMAGES_DIR, ImageKind, RUN_FILE, RunStatus, SAMPLES_FILE, SUMMARY_FILE, Status,
+    Summary, image_name,
 };
 
 /// The page alone: PNGs take most of a report's time, and few tests read them.
 fn html_of(dir: &TempDir) -> String {
     let run = Run::read(dir.path()).unwrap();
-    html::page(&run, None, &plots::draw(&run).unwrap(), &LEGEND).unwrap()
+    let clouds = pareto::clouds(&run);
+    let mut plots = plots::draw_pareto(&run, &clouds).unwrap();
+    plots.extend(plots::draw(&run).unwrap());
+    html::page(&run, None, &clouds, &plots, &LEGEND).unwrap()
 }
 
 #[test]
@@ -131,6 +134,9 @@ fn every_plot_is_written_as_svg_and_png_and_nothing_half_written_stays() {
     write_all(dir.path(), &LEGEND).unwrap();
     let plots = dir.path().join(PLOTS_DIR);
     let names = [
+        "pareto_all",
+        "pareto_grid_n10",
+        "pareto_grid_n20",
         "shadow_time_by_triangles",
         "shadow_time_by_scene",
         "flight_grid_n10",
@@ -242,4 +248,133 @@ fn a_run_that_was_cut_off_is_read_as_far_as_it_goes() {
         run.warnings,
         ["the last row of samples.csv is torn and was left out"]
     );
+}
+
+#[test]
+fn the_chart_names_every_point_and_marks_zero() {
+    let dir = swept_run();
+    let run = Run::read(dir.path()).unwrap();
+    let clouds = pareto::clouds(&run);
+    let plots = plots::draw_pareto(&run, &clouds).unwrap();
+    let names: Vec<&str> = plots.iter().map(|plot| plot.name.as_str()).collect();
+    assert_eq!(
+        names,
+        [
+            "pareto_all",
+            "pareto_grid_n10",
+            "pareto_grid_n20",
+            "pareto_sponza"
+        ]
+    );
+    for (plot, cloud) in plots.iter().zip(&clouds) {
+        let texts: Vec<&str> = plot.svg.lines().map(str::trim).collect();
+        for point in &cloud.points {
+            let name = match &point.sweep {
+                Some(sweep) if sweep.parameter == "pcf" => format!("pcf {}", sweep.value),
+                Some(sweep) => sweep.value.to_string(),
+                None => point.contender.label(),
+            };
+            assert!(texts.contains(&&*name), "{name} in {}", plot.name);
+        }
+        for name in [
+            "shadow_map by resolution",
+            "cube_shadow_map slope_bias=2 by pcf",
+            "0",
+        ] {
+            assert!(texts.contains(&name), "{name} in {}", plot.name);
+        }
+    }
+}
+
+#[test]
+fn the_page_shows_charts_errors_regions_and_biases() {
+    let dir = swept_run();
+    let page = html_of(&dir);
+    let places: Vec<usize> = ["results", "pareto", "errors", "bias", "plots", "provenance"]
+        .iter()
+        .map(|name| page.find(&format!("<section id=\"{name}\">")).unwrap())
+        .collect();
+    assert!(places.is_sorted(), "{places:?}");
+    let (_, errors) = page.split_once("<section id=\"errors\">").unwrap();
+    let (errors, rest) = errors.split_once("</section>").unwrap();
+    // The map of 512 texels on Sponza: 27,000 and 29,700 wrong pixels in its frames, a quarter of
+    // them artifacts; a tenth of them flickers.
+    for text in [
+        ">28,350.0<",
+        ">7,087.5<",
+        ">75 %<",
+        ">100 %<",
+        ">acne 7,087.5, leak 3,150.0<",
+        ">2,835.0<",
+    ] {
+        assert!(errors.contains(text), "{text}: {errors}");
+    }
+    assert!(errors.contains("1 of 1") && errors.contains(">1,234<") && errors.contains("10–40"));
+    let (_, bias) = rest.split_once("<section id=\"bias\">").unwrap();
+    for text in [">2.25<", ">4321.5<", ">77.2<"] {
+        assert!(bias.contains(text), "{text}");
+    }
+}
+
+#[test]
+fn what_an_earlier_report_said_of_accuracy_and_speed_goes_with_its_points() {
+    let dir = made_up_run();
+    write_all(dir.path(), &LEGEND).unwrap();
+    let plots = dir.path().join(PLOTS_DIR);
+    let (csv, all) = (dir.path().join("pareto.csv"), plots.join("pareto_all.png"));
+    assert!(csv.is_file() && all.is_file());
+    fs::write(
+        plots.join("pareto_renamed_scene.svg"),
+        "an earlier report's",
+    )
+    .unwrap();
+    write_all(dir.path(), &LEGEND).unwrap();
+    assert!(!plots.join("pareto_renamed_scene.svg").exists() && all.is_file());
+
+    let text = fs::read_to_string(dir.path().join(SUMMARY_FILE)).unwrap();
+    let unverified = text.replace(",ok,", ",unverified,");
+    fs::write(dir.path().join(SUMMARY_FILE), unverified).unwrap();
+    write_all(dir.path(), &LEGEND).unwrap();
+    assert!(!csv.exists() && !all.exists());
+}
+
+#[test]
+fn a_verified_scene_with_a_hostile_name_is_escaped_in_chart_and_tables() {
+    let dir = tempfile::tempdir().unwrap();
+    let info = info(&[HOSTILE], &[HOSTILE]);
+    let cell = cell(&info, HOSTILE, HOSTILE, 10);
+    let own = samples(&cell, 2.0);
+    let wrong = FrameError {
+        false_lit: 5,
+        labels: format!("{HOSTILE}=5"),
+        ..FrameError::default()
+    };
+    let summary = Summary::from_samples(&cell, &own, &[wrong], Status::Ok, "");
+    write_run(dir.path(), &info, &own, &[summary]);
+    let page = html_of(&dir);
+    assert!(page.contains("id=\"pareto\"") && page.contains("id=\"errors\""));
+    assert!(!page.contains("<script"), "not escaped");
+}
+
+#[test]
+fn a_page_of_too_many_pictures_links_to_those_of_lesser_cells() {
+    let dir = swept_run();
+    let images = dir.path().join(IMAGES_DIR);
+    fs::create_dir(&images).unwrap();
+    let picture = |method: &str, variant: &str, bytes: usize| {
+        let name = image_name("sponza", method, variant, ImageKind::Error);
+        fs::write(images.join(&name), vec![0; bytes]).unwrap();
+        name
+    };
+    let front = picture("shadow_map", "resolution=512", 12 << 20);
+    let dominated = picture("triangle_ts", "", 12 << 20);
+    let page = html_of(&dir);
+    let link = |name: &str| format!("href=\"images/{name}\"");
+    assert!(page.contains(&link(&dominated)) && !page.contains(&link(&front)));
+    assert!(page.contains("too many for one page"));
+    assert!(page.len() < 30 << 20, "{} bytes", page.len());
+
+    picture("triangle_ts", "", 1000);
+    let page = html_of(&dir);
+    assert!(!page.contains("too many for one page") && !page.contains("href=\"images/"));
 }

@@ -10,12 +10,13 @@ use crate::report::plots::Plot;
 
 /// The page of the groups' runs.
 pub(crate) fn page(groups: &[Group<'_>], paper: Option<&Paper>, plots: &[Plot]) -> String {
-    let mut links = links_to(paper, plots);
+    let plots: Vec<&Plot> = plots.iter().collect();
+    let mut links = links_to(paper, !plots.is_empty());
     links.push(("provenance", "Provenance"));
     let main = html! {
         (notes(groups, paper))
         (paper_sections(paper))
-        (plots_section(plots))
+        (plots_section(&plots))
         (provenance(groups))
     };
     let title = "Runs beside the paper";

@@ -10,13 +10,18 @@ use super::LegendEntry;
 use super::format::count;
 use super::load::Run;
 use super::paper::Paper;
+use super::pareto::Cloud;
 use super::plots::Plot;
 
 mod banners;
+mod bias;
+mod errors;
 mod gallery;
 mod ledger;
 mod merged;
 mod paper;
+mod pareto;
+mod pictures;
 mod provenance;
 mod results;
 
@@ -28,6 +33,7 @@ const STYLE: &str = include_str!("../report.css");
 pub fn page(
     run: &Run,
     paper: Option<&Paper>,
+    clouds: &[Cloud],
     plots: &[Plot],
     legend: &[LegendEntry],
 ) -> Result<String> {
@@ -36,16 +42,23 @@ pub fn page(
     } else {
         &run.info.title
     };
-    let gallery = gallery::section(run, legend)?;
+    let gallery = gallery::section(run, clouds, legend)?;
+    let (pareto, plots): (Vec<&Plot>, Vec<&Plot>) = plots.iter().partition(|plot| plot.is_pareto());
     let mut links = vec![("results", "Results")];
-    links.extend(links_to(paper, plots));
+    links.extend((!clouds.is_empty()).then_some(("pareto", "Accuracy against speed")));
+    links.extend(errors::has_any(run).then_some(("errors", "Errors")));
+    links.extend((!run.biases.is_empty()).then_some(("bias", "Bias")));
+    links.extend(links_to(paper, !plots.is_empty()));
     links.extend(gallery.is_some().then_some(("pictures", "Pictures")));
     links.push(("provenance", "Provenance"));
     let main = html! {
         (banners::section(run))
         (results::section(run))
+        (pareto::section(run, clouds, &pareto))
+        (errors::section(run, gallery.is_some()))
+        (bias::section(run))
         (paper_sections(paper))
-        (plots_section(plots))
+        (plots_section(&plots))
         @if let Some(gallery) = gallery { (gallery) }
         (provenance::section(run))
     };
@@ -53,12 +66,12 @@ pub fn page(
 }
 
 /// The links to the sections that pages of one run and of several have in common.
-fn links_to(paper: Option<&Paper>, plots: &[Plot]) -> Vec<(&'static str, &'static str)> {
+fn links_to(paper: Option<&Paper>, has_plots: bool) -> Vec<(&'static str, &'static str)> {
     let mut links = Vec::new();
     if paper.is_some() {
         links.extend([("paper", "The paper's tables"), ("ledger", "Its claims")]);
     }
-    links.extend((!plots.is_empty()).then_some(("plots", "Plots")));
+    links.extend(has_plots.then_some(("plots", "Plots")));
     links
 }
 
@@ -140,23 +153,32 @@ fn date(rfc_3339: &str) -> String {
     )
 }
 
-fn plots_section(plots: &[Plot]) -> Markup {
+fn plots_section(plots: &[&Plot]) -> Markup {
     html! {
         @if !plots.is_empty() {
             section #plots {
                 h2 { "Plots" }
-                div.plots {
-                    @for plot in plots {
-                        figure.plot {
-                            div.scroll tabindex="0" role="img" aria-label=(alt(plot)) {
-                                (PreEscaped(&plot.svg))
-                            }
-                        }
-                    }
+                div.plots { (figures(plots)) }
+            }
+        }
+    }
+}
+
+fn figures(plots: &[&Plot]) -> Markup {
+    html! {
+        @for plot in plots {
+            figure.plot.large[plot.is_pareto()] {
+                div.scroll tabindex="0" role="img" aria-label=(alt(plot)) {
+                    (PreEscaped(&plot.svg))
                 }
             }
         }
     }
+}
+
+/// A value, or what stands where there is none.
+fn or_dash(value: Option<String>) -> String {
+    value.unwrap_or_else(|| "–".to_owned())
 }
 
 fn alt(plot: &Plot) -> String {

@@ -2,6 +2,7 @@
 
 use maud::{Markup, html};
 
+use super::or_dash;
 use crate::bench::record::{Status, Summary, stages_from_text};
 use crate::bench::statistics::median;
 use crate::report::format::{count, fps, ms, px_per_frame};
@@ -137,10 +138,6 @@ fn number(text: Option<String>) -> Markup {
 
 fn pixels(row: &Summary, sum_px: Option<u64>) -> Markup {
     number(sum_px.map(|sum_px| px_per_frame(sum_px, row.verified_frames)))
-}
-
-fn or_dash(text: Option<String>) -> String {
-    text.unwrap_or_else(|| "–".to_owned())
 }
 
 /// The median of every stage of every method: where its shadow time goes.

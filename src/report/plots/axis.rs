@@ -8,6 +8,8 @@ pub(super) struct Axis {
     low: f64,
     high: f64,
     ticks: Vec<f64>,
+    /// How much of the axis, from its lower end, is kept for zero; 0 where zero has no band.
+    zero_band: f64,
 }
 
 impl Axis {
@@ -37,6 +39,7 @@ impl Axis {
             low,
             high,
             ticks,
+            zero_band: 0.0,
         }
     }
 
@@ -82,7 +85,29 @@ impl Axis {
             low,
             high,
             ticks,
+            zero_band: 0.0,
         }
+    }
+
+    /// A logarithmic axis that shows zero as zero: where `values` have any, in a band of its own, which
+    /// takes `zero_band` of the axis.
+    pub(super) fn log_with_zero(
+        title: &str,
+        values: impl Iterator<Item = f64> + Clone,
+        zero_band: f64,
+    ) -> Self {
+        let has_zero = values.clone().any(|value| value <= 0.0);
+        let mut axis = Self::log(title, values);
+        if has_zero {
+            axis.zero_band = zero_band;
+            axis.ticks.insert(0, 0.0);
+        }
+        axis
+    }
+
+    /// Where the band of zero ends, as a fraction of the axis, if it has one.
+    pub(super) fn zero_band(&self) -> Option<f64> {
+        (self.zero_band > 0.0).then_some(self.zero_band)
     }
 
     /// From zero where that shows every value; logarithmic, and called so, where the largest value
@@ -101,14 +126,17 @@ impl Axis {
     }
 
     /// Where `value` lies between the axis's ends, 0 to 1. Zero has no place on a logarithmic axis
-    /// and is put at its lower end.
+    /// and is put into the middle of its band, or at the lower end where it has none.
     pub(super) fn fraction(&self, value: f64) -> f64 {
+        if self.zero_band > 0.0 && value <= 0.0 {
+            return self.zero_band / 2.0;
+        }
         let fraction = if self.log {
             (value.max(self.low) / self.low).log10() / (self.high / self.low).log10()
         } else {
             (value - self.low) / (self.high - self.low)
         };
-        fraction.clamp(0.0, 1.0)
+        self.zero_band + (1.0 - self.zero_band) * fraction.clamp(0.0, 1.0)
     }
 
     /// Ticks and what to write at them.
@@ -183,6 +211,17 @@ mod tests {
     fn an_axis_is_logarithmic_only_where_it_must_be() {
         assert!(!Axis::fit("", [1.0, 20.0].into_iter()).log);
         assert!(Axis::fit("", [1.0, 50.0].into_iter()).log);
+    }
+
+    #[test]
+    fn zero_has_a_band_below_every_other_value() {
+        let axis = Axis::log_with_zero("", [0.0, 0.5, 1000.0].into_iter(), 0.2);
+        assert_eq!(axis.fraction(0.0), 0.1);
+        assert!(axis.fraction(0.5) >= 0.2 && axis.fraction(1000.0) < 1.0);
+        assert_eq!(labels(&axis)[0], "0");
+        let axis = Axis::log_with_zero("", [0.5, 1000.0].into_iter(), 0.2);
+        assert_eq!(axis.zero_band(), None);
+        assert_ne!(labels(&axis)[0], "0");
     }
 
     #[test]

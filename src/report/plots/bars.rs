@@ -7,7 +7,7 @@ use super::axis::Axis;
 use super::canvas::{self, CENTER, Canvas, INK, LEFT, MUTED, PAPER, RIGHT, text_width_px};
 use super::legend::{self, Key};
 use super::lines::Frame;
-use crate::report::load::Contender;
+use crate::report::curve::Contender;
 
 const GROUP_NAME_PX: i32 = 13;
 /// Group names that cannot be broken to fit are turned upright and get at most this much room.
@@ -18,7 +18,8 @@ const MAX_BAR_PX: i32 = 56;
 #[derive(Debug)]
 pub(super) struct BarChart {
     pub(super) y: Axis,
-    pub(super) contenders: Vec<Contender>,
+    /// Whose bars they are, and what each looks like.
+    pub(super) keys: Vec<(Key, Contender)>,
     pub(super) groups: Vec<Group>,
     /// What several groups side by side have in common, and how many those are; may be empty.
     pub(super) bands: Vec<(String, usize)>,
@@ -52,12 +53,16 @@ struct Slots {
 }
 
 impl BarChart {
+    pub(super) fn legend_height_px(&self) -> i32 {
+        legend::height_px(self.keys.iter().map(|(_, contender)| contender))
+    }
+
     pub(super) fn paint<DB: DrawingBackend>(&self, canvas: &Canvas<'_, DB>) -> Result<()>
     where
         DB::ErrorType: 'static,
     {
         let (width, height) = canvas.size();
-        let legend_px = legend::width_px(self.contenders.iter());
+        let legend_px = legend::width_px(self.keys.iter().map(|(_, contender)| contender));
         let (left, right) = (84, width - legend_px);
         let group_px = (right - left) / i32::try_from(self.groups.len())?.max(1);
         let names: Option<Vec<Vec<String>>> = self
@@ -100,8 +105,7 @@ impl BarChart {
         canvas.line(vec![(left, frame.bottom), (right, frame.bottom)], MUTED, 1)?;
         self.paint_bands(canvas, frame, group_px)?;
 
-        let contenders = self.contenders.iter().enumerate();
-        let keys = contenders.map(|(index, contender)| (Key::of(index), contender));
+        let keys = self.keys.iter().map(|(key, contender)| (*key, contender));
         let entries = legend::from_top(keys, frame.top);
         legend::paint(canvas, entries, right, (frame.top - 10, height - 10))
     }
@@ -178,7 +182,8 @@ impl BarChart {
         let right = left + (slots.pitch - (slots.pitch / 8).max(1)).max(1);
         let middle = (left + right) / 2;
         let top = frame.y(&self.y, bar.value);
-        canvas.rect([(left, top), (right, frame.bottom)], canvas::color(index))?;
+        let key = self.keys[index].0;
+        canvas.rect([(left, top), (right, frame.bottom)], key.color)?;
         if hollow {
             let inside = [
                 (left + 2, (top + 2).min(frame.bottom)),
@@ -186,7 +191,8 @@ impl BarChart {
             ];
             canvas.rect(inside, PAPER)?;
         } else if slots.pitch >= 12 && frame.bottom - top >= 20 {
-            canvas.marker(index, (middle, frame.bottom - 10), 3, PAPER)?;
+            let marker = key.marker.unwrap_or(index);
+            canvas.marker(marker, (middle, frame.bottom - 10), 3, PAPER)?;
         }
         let end = bar.whisker.map_or(top, |end| frame.y(&self.y, end));
         if bar.whisker.is_some() {

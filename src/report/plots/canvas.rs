@@ -9,15 +9,13 @@ use plotters::prelude::{
 };
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-use super::SIZE_PX;
-
 /// A place on the canvas in pixels, from the top left.
 pub(super) type Px = (i32, i32);
 
 /// Family name under which the program's own font is registered.
 pub(super) const FONT: &str = "sans-serif";
-/// Text that must be read. The page's style sheet names these four colours to turn them over in a
-/// dark scheme: change them together.
+/// Text that must be read. The page's style sheet names these colours, up to [`WHISKER`], to turn them
+/// over in a dark scheme: change them together.
 pub(super) const INK: RGBColor = RGBColor(0x1F, 0x23, 0x28);
 /// Text that may be read.
 pub(super) const MUTED: RGBColor = RGBColor(0x59, 0x63, 0x6E);
@@ -25,6 +23,13 @@ pub(super) const MUTED: RGBColor = RGBColor(0x59, 0x63, 0x6E);
 pub(super) const GRID: RGBColor = RGBColor(0xE1, 0xE4, 0xE8);
 /// Behind everything.
 pub(super) const PAPER: RGBColor = RGBColor(0xFF, 0xFF, 0xFF);
+
+/// The Pareto front: unlike any colour of a contender.
+pub(super) const FRONT: RGBColor = RGBColor(0x7B, 0x3F, 0xE4);
+/// Markers of what is dominated.
+pub(super) const FADED: RGBColor = RGBColor(0x93, 0x9C, 0xA6);
+/// Intervals that must not outshine what they are about.
+pub(super) const WHISKER: RGBColor = RGBColor(0xB9, 0xC1, 0xC9);
 
 /// Okabe and Ito's palette, which people with any of the common colour blindnesses can tell apart,
 /// without its yellow, too faint on white.
@@ -40,7 +45,7 @@ const PALETTE: [RGBColor; 7] = [
 /// Markers: as many as are told apart at a glance. Seven colours and six shapes make 42 pairs.
 const MARKERS: usize = 6;
 
-/// The colour of the contender at `index`.
+/// The colour of the curve at `index`.
 pub(super) fn color(index: usize) -> RGBColor {
     PALETTE[index % PALETTE.len()]
 }
@@ -61,9 +66,10 @@ pub(super) const CENTER: Pos = Pos {
     v_pos: VPos::Center,
 };
 
-/// A drawing area of [`SIZE_PX`] pixels, whatever the resolution behind it.
+/// A drawing area that is so many pixels large, whatever the resolution behind it.
 pub(super) struct Canvas<'a, DB: DrawingBackend> {
     area: &'a DrawingArea<DB, Shift>,
+    size_px: (u32, u32),
     /// Pixels of the area for one of the canvas.
     scale: i32,
 }
@@ -72,21 +78,26 @@ impl<'a, DB: DrawingBackend> Canvas<'a, DB>
 where
     DB::ErrorType: 'static,
 {
-    pub(super) fn new(area: &'a DrawingArea<DB, Shift>) -> Result<Self> {
+    pub(super) fn new(area: &'a DrawingArea<DB, Shift>, size_px: (u32, u32)) -> Result<Self> {
         area.fill(&PAPER)?;
         let (width, _) = area.dim_in_pixel();
-        let scale = i32::try_from((width / SIZE_PX.0).max(1))?;
-        Ok(Self { area, scale })
+        let scale = i32::try_from((width / size_px.0).max(1))?;
+        Ok(Self {
+            area,
+            size_px,
+            scale,
+        })
     }
 
     /// Width and height in pixels.
     pub(super) fn size(&self) -> Px {
-        (SIZE_PX.0 as i32, SIZE_PX.1 as i32)
+        (self.size_px.0 as i32, self.size_px.1 as i32)
     }
 
     /// The plot's title, top left.
     pub(super) fn title(&self, text: &str) -> Result<()> {
-        self.text(&shortened(text, 88), (16, 24), 18, INK, LEFT)
+        let chars = self.size_px.0 / 10;
+        self.text(&shortened(text, chars as usize), (16, 24), 18, INK, LEFT)
     }
 
     pub(super) fn text(

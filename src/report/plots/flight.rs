@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::axis::Axis;
-use super::legend::Key;
+use super::chosen::Chosen;
 use super::lines::{Line, LineChart};
 use super::{Chart, Figure};
 use crate::bench::record::{Summary, file_safe};
@@ -12,22 +12,24 @@ use crate::report::load::Run;
 
 /// A figure per scene in which at least two frames were measured.
 pub(super) fn figures(run: &Run) -> Vec<Figure> {
+    let chosen = Chosen::of(run);
     run.scenes()
         .into_iter()
-        .filter_map(|scene| figure(run, scene))
+        .filter_map(|scene| figure(run, scene, &chosen))
         .collect()
 }
 
-fn figure(run: &Run, scene: &str) -> Option<Figure> {
-    let contenders = run.contenders();
+fn figure(run: &Run, scene: &str, chosen: &Chosen) -> Option<Figure> {
     let mut lines = Vec::new();
     for row in run.rows(scene) {
         let contender = run.contender(row);
-        let index = contenders.iter().position(|other| *other == contender)?;
+        let Some(key) = chosen.key(&contender) else {
+            continue;
+        };
         let points = along_flight(run, row);
         if points.len() >= 2 {
             lines.push(Line {
-                key: Key::of(index),
+                key,
                 contender,
                 points,
             });
@@ -44,7 +46,11 @@ fn figure(run: &Run, scene: &str) -> Option<Figure> {
     let y = Axis::fit("Shadow time, ms", points.map(|point| point.1));
     Some(Figure {
         name: format!("flight_{}", file_safe(scene)),
-        title: format!("Shadow time along the flight, {}", run.scene_title(scene)),
+        title: format!(
+            "Shadow time along the flight, {}{}",
+            run.scene_title(scene),
+            chosen.remark
+        ),
         chart: Chart::Lines(LineChart {
             x,
             y,

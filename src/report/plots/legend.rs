@@ -4,7 +4,7 @@ use anyhow::Result;
 use plotters::prelude::{DrawingBackend, RGBColor};
 
 use super::canvas::{self, Canvas, INK, LEFT, MUTED, Px, text_width_px};
-use crate::report::load::Contender;
+use crate::report::curve::Contender;
 
 const NAME_PX: i32 = 14;
 const VARIANT_PX: i32 = 12;
@@ -25,7 +25,7 @@ pub(super) struct Key {
 }
 
 impl Key {
-    /// The colour and marker of the contender at this place in the run's list.
+    /// The colour and marker of the curve at this place in the run's list.
     pub(super) fn of(index: usize) -> Self {
         Self {
             color: canvas::color(index),
@@ -81,6 +81,21 @@ pub(super) fn width_px<'a>(contenders: impl Iterator<Item = &'a Contender>) -> i
     KEY_PX + text_px.min(MAX_TEXT_PX) + 12
 }
 
+/// The height of a plot whose legend has room for all of `contenders`, in pixels.
+pub(super) fn height_px<'a>(contenders: impl Iterator<Item = &'a Contender>) -> i32 {
+    let (mut entries, mut two_lines) = (0, false);
+    for contender in contenders {
+        entries += 1;
+        two_lines |= !contender.variant.is_empty();
+    }
+    entries * gap_px(two_lines) + 60
+}
+
+/// From one entry to the next.
+fn gap_px(two_lines: bool) -> i32 {
+    if two_lines { 36 } else { 22 }
+}
+
 /// Entries one below the other from `top`, in their order.
 pub(super) fn from_top<'a>(
     keys: impl Iterator<Item = (Key, &'a Contender)>,
@@ -110,7 +125,7 @@ where
         .iter()
         .any(|entry| !entry.contender.variant.is_empty());
     let wanted: Vec<i32> = entries.iter().map(|entry| entry.wanted_y).collect();
-    let places = spread(&wanted, if two_lines { 36 } else { 22 }, (top, bottom));
+    let places = spread(&wanted, gap_px(two_lines), (top, bottom));
     for (entry, y) in entries.iter().zip(places) {
         let sample = vec![(left + 12, y), (left + KEY_PX - 8, y)];
         entry.key.line(canvas, sample)?;

@@ -6,7 +6,7 @@ use plotters::prelude::DrawingBackend;
 use super::axis::Axis;
 use super::canvas::{CENTER, Canvas, GRID, INK, MUTED, Px, RIGHT};
 use super::legend::{self, Entry, Key};
-use crate::report::load::Contender;
+use crate::report::curve::Contender;
 
 /// Markers on a line with more points than this are thinned out to about this number.
 const MAX_MARKERS: usize = 10;
@@ -66,20 +66,51 @@ impl Frame {
         let middle = (self.top + self.bottom) / 2;
         canvas.text_upwards(&axis.title, (20, middle), 15, INK, CENTER)
     }
+
+    /// Draws the horizontal axis with its grid.
+    pub(super) fn paint_x_axis<DB: DrawingBackend>(
+        &self,
+        canvas: &Canvas<'_, DB>,
+        axis: &Axis,
+    ) -> Result<()>
+    where
+        DB::ErrorType: 'static,
+    {
+        for (value, label) in axis.ticks() {
+            let x = self.x(axis, value);
+            canvas.line(vec![(x, self.top), (x, self.bottom)], GRID, 1)?;
+            canvas.text(&label, (x, self.bottom + 16), 14, MUTED, CENTER)?;
+        }
+        canvas.line(
+            vec![(self.left, self.bottom), (self.right, self.bottom)],
+            MUTED,
+            1,
+        )?;
+        let middle = (self.left + self.right) / 2;
+        canvas.text(&axis.title, (middle, self.bottom + 42), 15, INK, CENTER)
+    }
 }
 
 impl LineChart {
+    /// Whom the legend names.
+    fn named(&self) -> Vec<&Contender> {
+        if self.keys.is_empty() {
+            self.lines.iter().map(|line| &line.contender).collect()
+        } else {
+            self.keys.iter().map(|(_, contender)| contender).collect()
+        }
+    }
+
+    pub(super) fn legend_height_px(&self) -> i32 {
+        legend::height_px(self.named().into_iter())
+    }
+
     pub(super) fn paint<DB: DrawingBackend>(&self, canvas: &Canvas<'_, DB>) -> Result<()>
     where
         DB::ErrorType: 'static,
     {
         let (width, height) = canvas.size();
-        let named = self.lines.iter().map(|line| &line.contender);
-        let legend_px = if self.keys.is_empty() {
-            legend::width_px(named)
-        } else {
-            legend::width_px(self.keys.iter().map(|(_, contender)| contender))
-        };
+        let legend_px = legend::width_px(self.named().into_iter());
         let frame = Frame {
             left: 84,
             right: width - legend_px,
@@ -87,7 +118,7 @@ impl LineChart {
             bottom: height - 62,
         };
         frame.paint_y_axis(canvas, &self.y)?;
-        self.paint_x_axis(canvas, frame)?;
+        frame.paint_x_axis(canvas, &self.x)?;
         for line in &self.lines {
             self.paint_line(canvas, frame, line)?;
         }
@@ -113,24 +144,6 @@ impl LineChart {
             })
         });
         entries.collect()
-    }
-
-    fn paint_x_axis<DB: DrawingBackend>(&self, canvas: &Canvas<'_, DB>, frame: Frame) -> Result<()>
-    where
-        DB::ErrorType: 'static,
-    {
-        for (value, label) in self.x.ticks() {
-            let x = frame.x(&self.x, value);
-            canvas.line(vec![(x, frame.top), (x, frame.bottom)], GRID, 1)?;
-            canvas.text(&label, (x, frame.bottom + 16), 14, MUTED, CENTER)?;
-        }
-        canvas.line(
-            vec![(frame.left, frame.bottom), (frame.right, frame.bottom)],
-            MUTED,
-            1,
-        )?;
-        let middle = (frame.left + frame.right) / 2;
-        canvas.text(&self.x.title, (middle, frame.bottom + 42), 15, INK, CENTER)
     }
 
     fn paint_line<DB: DrawingBackend>(

@@ -1,7 +1,7 @@
 //! Plots of a run, each drawn by one function onto an SVG and onto a PNG.
 //!
-//! One plot a file: `shadow_time_by_triangles`, `flight`, `shadow_time_by_scene`, `paper`. These
-//! choose the data; `lines` and `bars` draw it.
+//! One plot a file: `pareto`, `shadow_time_by_triangles`, `flight`, `shadow_time_by_scene`, `paper`.
+//! These choose the data; `scatter`, `lines` and `bars` draw it.
 
 use std::path::Path;
 use std::sync::Once;
@@ -14,18 +14,27 @@ use plotters::style::register_font;
 
 use super::load::Run;
 use super::paper::Paper;
+use super::pareto::Cloud;
 
 mod axis;
 mod bars;
 mod canvas;
+mod chosen;
 mod flight;
+mod labels;
 mod legend;
 mod lines;
 mod paper;
+mod pareto;
+mod sample_row;
+mod scatter;
 mod shadow_time_by_scene;
 mod shadow_time_by_triangles;
 
-/// Size of every plot in pixels, in which everything on it is placed.
+pub(super) use pareto::PREFIX as PARETO_PREFIX;
+
+/// Size of a plot in pixels, in which everything on it is placed; but scatter charts are larger, and
+/// those with more in their legends higher.
 const SIZE_PX: (u32, u32) = (900, 560);
 /// A PNG has this many pixels for each of them: text set at whole pixels is uneven at fewer.
 const PNG_SCALE: u32 = 2;
@@ -47,6 +56,18 @@ pub struct Plot {
 enum Chart {
     Lines(lines::LineChart),
     Bars(bars::BarChart),
+    Scatter(scatter::ScatterChart),
+}
+
+impl Chart {
+    fn size_px(&self) -> (u32, u32) {
+        let legend_px = match self {
+            Self::Lines(chart) => chart.legend_height_px(),
+            Self::Bars(chart) => chart.legend_height_px(),
+            Self::Scatter(_) => return scatter::SIZE_PX,
+        };
+        (SIZE_PX.0, SIZE_PX.1.max(legend_px.unsigned_abs()))
+    }
 }
 
 /// A chart with its name and title.
@@ -65,6 +86,12 @@ pub fn draw(run: &Run) -> Result<Vec<Plot>> {
     figures.into_iter().map(Plot::new).collect()
 }
 
+/// Accuracy against speed, a plot for each cloud.
+pub fn draw_pareto(run: &Run, clouds: &[Cloud]) -> Result<Vec<Plot>> {
+    let figures = pareto::figures(run, clouds).into_iter();
+    figures.map(Plot::new).collect()
+}
+
 /// Figures 5 to 8 of the paper: its curves and the measured ones in one picture.
 pub fn draw_paper(paper: &Paper) -> Result<Vec<Plot>> {
     paper::figures(paper).into_iter().map(Plot::new).collect()
@@ -74,7 +101,7 @@ impl Plot {
     fn new(Figure { name, title, chart }: Figure) -> Result<Self> {
         install_font();
         let mut svg = String::new();
-        let backend = SVGBackend::with_string(&mut svg, SIZE_PX);
+        let backend = SVGBackend::with_string(&mut svg, chart.size_px());
         paint(&chart, &title, &backend.into_drawing_area())
             .with_context(|| format!("cannot draw the plot {name}"))?;
         Ok(Self {
@@ -85,10 +112,16 @@ impl Plot {
         })
     }
 
+    /// Whether it shows accuracy against speed.
+    pub fn is_pareto(&self) -> bool {
+        matches!(self.chart, Chart::Scatter(_))
+    }
+
     /// Writes the plot as a PNG to `path`, whose extension must be `.png`.
     pub fn write_png(&self, path: &Path) -> Result<()> {
         install_font();
-        let size_px = (SIZE_PX.0 * PNG_SCALE, SIZE_PX.1 * PNG_SCALE);
+        let (width, height) = self.chart.size_px();
+        let size_px = (width * PNG_SCALE, height * PNG_SCALE);
         let backend = BitMapBackend::new(path, size_px);
         paint(&self.chart, &self.title, &backend.into_drawing_area())
             .with_context(|| format!("cannot draw the plot {}", self.name))
@@ -104,11 +137,12 @@ fn paint<DB: DrawingBackend>(
 where
     DB::ErrorType: 'static,
 {
-    let canvas = canvas::Canvas::new(area)?;
+    let canvas = canvas::Canvas::new(area, chart.size_px())?;
     canvas.title(title)?;
     match chart {
         Chart::Lines(chart) => chart.paint(&canvas)?,
         Chart::Bars(chart) => chart.paint(&canvas)?,
+        Chart::Scatter(chart) => chart.paint(&canvas)?,
     }
     area.present().map_err(anyhow::Error::from)
 }

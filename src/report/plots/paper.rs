@@ -10,7 +10,7 @@ use super::canvas::{self, INK};
 use super::legend::Key;
 use super::lines::{Line, LineChart};
 use super::{Chart, Figure};
-use crate::report::load::Contender;
+use crate::report::curve::Contender;
 use crate::report::paper::Paper;
 use crate::report::paper::sheet::{Column, Sheet};
 
@@ -125,7 +125,10 @@ fn bars(sheet: &Sheet) -> BarChart {
     let names = sheet.spec.series.iter().map(|what| what.name);
     BarChart {
         y: Axis::fit("Frames per second", fps.into_iter()),
-        contenders: names.map(|name| contender(name, "")).collect(),
+        keys: names
+            .enumerate()
+            .map(|(index, name)| (Key::of(index), contender(name, "")))
+            .collect(),
         groups,
         bands,
     }

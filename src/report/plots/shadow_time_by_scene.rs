@@ -2,20 +2,21 @@
 
 use super::axis::Axis;
 use super::bars::{Bar, BarChart, Group};
+use super::chosen::Chosen;
 use super::{Chart, Figure};
 use crate::report::load::Run;
 
 /// The figure; `None` where nothing was measured.
 pub(super) fn figure(run: &Run) -> Option<Figure> {
-    let contenders = run.contenders();
+    let Chosen { keys, remark } = Chosen::of(run);
     let groups: Vec<Group> = run
         .scenes()
         .into_iter()
         .map(|scene| {
-            let mut bars = vec![None; contenders.len()];
+            let mut bars = vec![None; keys.len()];
             for row in run.rows(scene) {
                 let contender = run.contender(row);
-                let index = contenders.iter().position(|other| *other == contender);
+                let index = keys.iter().position(|(_, other)| *other == contender);
                 let bar = row.shadow_ms_median.zip(row.shadow_ms_p95);
                 if let (Some(index), Some((median, p95))) = (index, bar) {
                     bars[index] = Some(Bar {
@@ -43,10 +44,10 @@ pub(super) fn figure(run: &Run) -> Option<Figure> {
     );
     Some(Figure {
         name: "shadow_time_by_scene".to_owned(),
-        title: "Shadow time by scene".to_owned(),
+        title: format!("Shadow time by scene{remark}"),
         chart: Chart::Bars(BarChart {
             y,
-            contenders,
+            keys,
             groups,
             bands: Vec::new(),
         }),

@@ -1,7 +1,7 @@
 //! Shadow time against the number of casting triangles, over scenes that differ in nothing else.
 
 use super::axis::Axis;
-use super::legend::Key;
+use super::chosen::Chosen;
 use super::lines::{Line, LineChart};
 use super::{Chart, Figure};
 use crate::bench::record::file_safe;
@@ -37,7 +37,8 @@ fn family(scene: &str) -> Option<String> {
 
 fn figure(run: &Run, family_name: &str) -> Option<Figure> {
     let mut lines = Vec::new();
-    for (index, contender) in run.contenders().into_iter().enumerate() {
+    let Chosen { keys, remark } = Chosen::of(run);
+    for (key, contender) in keys {
         let rows = run.summaries.iter().filter(|row| {
             family(&row.scene).as_deref() == Some(family_name) && run.contender(row) == contender
         });
@@ -48,7 +49,7 @@ fn figure(run: &Run, family_name: &str) -> Option<Figure> {
         points.sort_by(|a, b| a.0.total_cmp(&b.0));
         if !points.is_empty() {
             lines.push(Line {
-                key: Key::of(index),
+                key,
                 contender,
                 points,
             });
@@ -69,7 +70,7 @@ fn figure(run: &Run, family_name: &str) -> Option<Figure> {
     );
     Some(Figure {
         name: format!("shadow_time_by_triangles_{}", file_safe(family_name)),
-        title: format!("Shadow time by casting triangles, {family_name}"),
+        title: format!("Shadow time by casting triangles, {family_name}{remark}"),
         chart: Chart::Lines(LineChart {
             x,
             y,

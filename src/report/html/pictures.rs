@@ -1,0 +1,77 @@
+//! One picture: in the page, or a link to its file.
+
+use std::fs;
+use std::io::ErrorKind;
+
+use anyhow::{Context as _, Result};
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD as BASE64;
+use maud::{Markup, html};
+
+use crate::bench::record::IMAGES_DIR;
+use crate::report::load::Run;
+
+/// A picture that there is.
+pub(super) struct Picture {
+    caption: &'static str,
+    alt: String,
+    source: Source,
+}
+
+enum Source {
+    /// The picture itself.
+    Held(String),
+    /// Its address from the page.
+    Linked(String),
+}
+
+/// A picture of the run, held by the page or linked to; `None` where the run has none of that name,
+/// which must be safe in an address.
+pub(super) fn picture(
+    run: &Run,
+    name: &str,
+    caption: &'static str,
+    alt: String,
+    hold: bool,
+) -> Result<Option<Picture>> {
+    let path = run.dir.join(IMAGES_DIR).join(name);
+    let source = if hold {
+        match fs::read(&path) {
+            Ok(png) => Source::Held(format!("data:image/png;base64,{}", BASE64.encode(png))),
+            Err(error) if error.kind() == ErrorKind::NotFound => return Ok(None),
+            Err(error) => {
+                return Err(error).with_context(|| format!("cannot read {}", path.display()));
+            }
+        }
+    } else if path.is_file() {
+        Source::Linked(format!("{IMAGES_DIR}/{name}"))
+    } else {
+        return Ok(None);
+    };
+    Ok(Some(Picture {
+        caption,
+        alt,
+        source,
+    }))
+}
+
+impl Picture {
+    pub(super) fn is_held(&self) -> bool {
+        matches!(self.source, Source::Held(_))
+    }
+
+    pub(super) fn figure(&self, run: &Run) -> Markup {
+        match &self.source {
+            Source::Held(data_uri) => html! {
+                figure {
+                    img tabindex="0" src=(data_uri) alt=(self.alt)
+                        width=(run.info.width) height=(run.info.height);
+                    figcaption { (self.caption) }
+                }
+            },
+            Source::Linked(address) => html! {
+                a href=(address) aria-label=(self.alt) { (self.caption) }
+            },
+        }
+    }
+}

@@ -1,0 +1,87 @@
+//! The key of a scatter chart: what its lines and markers mean, in rows above it.
+
+use anyhow::Result;
+use plotters::prelude::DrawingBackend;
+
+use super::canvas::{Canvas, FADED, FRONT, INK, LEFT, Px, WHISKER, text_width_px};
+use super::scatter::{CAP_PX, CurveLine, Dot, ScatterChart};
+
+const KEY_PX: i32 = 14;
+const KEY_LINE_PX: i32 = 24;
+
+/// An entry of the key above the chart.
+enum Sample<'a> {
+    Front,
+    Dominated,
+    Interval(&'a str),
+    Curve(&'a CurveLine),
+}
+
+/// Draws the key in rows from `at` and gives the height at which it ends.
+pub(super) fn paint<DB: DrawingBackend>(
+    chart: &ScatterChart,
+    canvas: &Canvas<'_, DB>,
+    at: Px,
+) -> Result<i32>
+where
+    DB::ErrorType: 'static,
+{
+    let has = |found: bool, sample| found.then_some(sample);
+    let dominated = chart.dots.iter().any(|dot| !dot.on_front);
+    let ranged = |dot: &Dot| dot.x_range.or(dot.y_range).is_some();
+    let interval = chart.dots.iter().any(ranged);
+    let samples = [
+        Some(Sample::Front),
+        has(dominated, Sample::Dominated),
+        has(interval, Sample::Interval(chart.interval)),
+    ];
+    let curves = chart.curves.iter().map(Sample::Curve);
+    let (width, _) = canvas.size();
+    let (mut x, mut y) = at;
+    for sample in samples.into_iter().flatten().chain(curves) {
+        let entry_px = KEY_LINE_PX + 8 + text_width_px(sample.name(), KEY_PX);
+        if x > at.0 && x + entry_px > width - 16 {
+            (x, y) = (at.0, y + 22);
+        }
+        sample.paint(canvas, (x, y))?;
+        let text_at = (x + KEY_LINE_PX + 8, y);
+        canvas.text(sample.name(), text_at, KEY_PX, INK, LEFT)?;
+        x += entry_px + 20;
+    }
+    Ok(y + 16)
+}
+
+impl Sample<'_> {
+    fn name(&self) -> &str {
+        match self {
+            Self::Front => "Pareto front",
+            Self::Dominated => "dominated",
+            Self::Interval(what) => what,
+            Self::Curve(curve) => &curve.name,
+        }
+    }
+
+    fn paint<DB: DrawingBackend>(&self, canvas: &Canvas<'_, DB>, (x, y): Px) -> Result<()>
+    where
+        DB::ErrorType: 'static,
+    {
+        let (middle, right) = (x + KEY_LINE_PX / 2, x + KEY_LINE_PX);
+        match self {
+            Self::Front => canvas.line(
+                vec![(x, y - 5), (middle, y - 5), (middle, y + 5), (right, y + 5)],
+                FRONT,
+                2,
+            ),
+            Self::Dominated => canvas.marker(0, (middle, y), 4, FADED),
+            Self::Interval(_) => {
+                canvas.line(vec![(x, y), (right, y)], WHISKER, 1)?;
+                canvas.line(vec![(x, y - CAP_PX), (x, y + CAP_PX)], WHISKER, 1)?;
+                canvas.line(vec![(right, y - CAP_PX), (right, y + CAP_PX)], WHISKER, 1)
+            }
+            Self::Curve(curve) => {
+                canvas.line(vec![(x, y), (right, y)], curve.key.color, 1)?;
+                curve.key.marker(canvas, (middle, y))
+            }
+        }
+    }
+}
