@@ -73,7 +73,10 @@ fn chart(cloud: &Cloud, curves: &Curves) -> ScatterChart {
     }
 }
 
-fn axis(title: &str, points: &[Point], of: fn(&Point) -> (f64, Option<(f64, f64)>)) -> Axis {
+/// A value and its interval.
+type Ranged = (f64, Option<(f64, f64)>);
+
+fn axis(title: &str, points: &[Point], of: fn(&Point) -> Ranged) -> Axis {
     let values: Vec<f64> = points
         .iter()
         .map(of)
