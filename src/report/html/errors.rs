@@ -99,8 +99,7 @@ fn row(run: &Run, row: &Summary) -> Markup {
         .flicker_px
         .zip(row.followed_px)
         .filter(|(_, followed)| *followed > 0);
-    let flicker =
-        flicker.map(|(flicker, followed)| format!("{:.1}", flicker as f64 * 1e6 / followed as f64));
+    let flicker = flicker.map(|(flicker, followed)| px_per_million(flicker, followed));
     html! {
         tr {
             th.method scope="row" {
@@ -121,6 +120,16 @@ fn row(run: &Run, row: &Summary) -> Markup {
             td { (or_dash(flicker)) }
             td { (or_dash(row.flip_mean.map(|flip| format!("{flip:.4}")))) }
         }
+    }
+}
+
+/// As [`px_per_frame`], never nothing where there is something.
+fn px_per_million(px: u64, of_px: u64) -> String {
+    let tenths = px as f64 * 1e7 / of_px as f64;
+    match (px, tenths.round() as u64) {
+        (0, _) => "0".to_owned(),
+        (_, 0) => "<0.1".to_owned(),
+        (_, tenths) => format!("{}.{}", count(tenths / 10), tenths % 10),
     }
 }
 
