@@ -173,13 +173,14 @@ impl<'a> Verifier<'a> {
         let wrong_px = wrong_px(mask, &truth.mask);
         let probe = BoundaryProbe::new(&self.reference, light, &truth.view, &truth.mask, wrong_px)?;
         let comparison = MaskComparison::new(mask, &truth.mask, |x, y| probe.near_boundary(x, y))?;
+        let texels = method.texels();
         let context = FrameContext {
             reference: &self.reference,
             light,
             view: &truth.view,
             triangle_ids: &truth.triangle_ids,
             edges: &truth.edges,
-            texel: Some(&|point| method.texel_of(point)),
+            texel: texels.as_deref().map(|texels| texels as _),
         };
         Ok(Judgement {
             error: comparison.error(),

@@ -3,7 +3,7 @@
 //! Milet et al. 2014 had no shadow map to compare with.
 
 use super::light_depth::{self, DepthMap, Lookup, MapKind, MapParameters};
-use super::{MethodError, MethodInfo, PrepareContext, PreparedMethod};
+use super::{MethodError, MethodInfo, PrepareContext, PreparedMethod, Texels};
 use crate::frame::Stage;
 use crate::frame::fullscreen::bind_group;
 use crate::geometry::Bounds;
@@ -240,20 +240,22 @@ impl PreparedMethod for PreparedCube {
         self.lookup.record(frame, stage);
     }
 
-    fn texel_of(&self, point: DVec3) -> Option<[i64; 3]> {
-        let from_light = point - self.light;
+    fn texels(&self) -> Option<Texels<'_>> {
         let axes = faces().map(|face| [face.right, face.up, face.forward].map(|a| a.as_dvec3()));
-        let along = |(_, axes): &(i64, [DVec3; 3])| axes[2].dot(from_light);
-        let (layer, [right, up, forward]) = (0..)
-            .zip(axes)
-            .max_by(|a, b| along(a).total_cmp(&along(b)))?;
-        let ndc = [right, up].map(|axis| axis.dot(from_light) / forward.dot(from_light));
-        Some(light_depth::texel_at(
-            layer,
-            ndc[0],
-            ndc[1],
-            self.resolution,
-        ))
+        Some(Box::new(move |point: DVec3| {
+            let from_light = point - self.light;
+            let along = |(_, axes): &(i64, [DVec3; 3])| axes[2].dot(from_light);
+            let (layer, [right, up, forward]) = (0..)
+                .zip(axes)
+                .max_by(|a, b| along(a).total_cmp(&along(b)))?;
+            let ndc = [right, up].map(|axis| axis.dot(from_light) / forward.dot(from_light));
+            Some(light_depth::texel_at(
+                layer,
+                ndc[0],
+                ndc[1],
+                self.resolution,
+            ))
+        }))
     }
 
     fn counters(&self) -> Vec<(&'static str, u64)> {

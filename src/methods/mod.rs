@@ -127,6 +127,10 @@ impl<'a> PrepareContext<'a> {
     }
 }
 
+/// Gives the texel of a shadow map in which a point in world space is looked up: layer, column, row.
+/// `None` outside of the map.
+pub type Texels<'a> = Box<dyn Fn(DVec3) -> Option<[i64; 3]> + Sync + 'a>;
+
 /// Gives the same method with a slope bias in texels.
 pub type WithBias<'a> = Box<dyn Fn(f64) -> Box<dyn ShadowMethod> + 'a>;
 
@@ -175,9 +179,8 @@ pub trait PreparedMethod: Sync {
         Vec::new()
     }
 
-    /// The texel of its shadow map in which a point in world space is looked up: layer, column, row.
-    /// `None` outside the map, and for methods without one.
-    fn texel_of(&self, _point: DVec3) -> Option<[i64; 3]> {
+    /// How its shadow map is looked up; `None` for methods without one.
+    fn texels(&self) -> Option<Texels<'_>> {
         None
     }
 

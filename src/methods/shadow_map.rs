@@ -4,7 +4,7 @@
 
 use super::frustum::LightFrustum;
 use super::light_depth::{self, DepthMap, Lookup, MapKind, MapParameters};
-use super::{MethodError, MethodInfo, PrepareContext, PreparedMethod};
+use super::{MethodError, MethodInfo, PrepareContext, PreparedMethod, Texels};
 use crate::frame::Stage;
 use crate::frame::fullscreen::bind_group;
 use crate::gpu::FrameRecorder;
@@ -121,11 +121,14 @@ impl PreparedMethod for PreparedMap {
         self.lookup.record(frame, stage);
     }
 
-    fn texel_of(&self, point: DVec3) -> Option<[i64; 3]> {
-        let clip = self.frustum.view_projection.as_dmat4() * point.extend(1.0);
-        let ndc = clip.truncate() / clip.w;
-        let inside = clip.w > 0.0 && ndc.x.abs().max(ndc.y.abs()) < 1.0;
-        inside.then(|| light_depth::texel_at(0, ndc.x, ndc.y, self.resolution))
+    fn texels(&self) -> Option<Texels<'_>> {
+        let view_projection = self.frustum.view_projection.as_dmat4();
+        Some(Box::new(move |point: DVec3| {
+            let clip = view_projection * point.extend(1.0);
+            let ndc = clip.truncate() / clip.w;
+            let inside = clip.w > 0.0 && ndc.x.abs().max(ndc.y.abs()) < 1.0;
+            inside.then(|| light_depth::texel_at(0, ndc.x, ndc.y, self.resolution))
+        }))
     }
 
     fn warnings(&self) -> Vec<String> {

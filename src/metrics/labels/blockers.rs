@@ -9,6 +9,9 @@ const COUNTER_RANGE: u32 = 256;
 /// Overflow: at least this share of the pixels is behind that many casting triangles.
 const OVERFLOW_SHARE: f64 = 0.9;
 
+/// Uncovered: at least this share of the pixels is outside of the map.
+const UNCOVERED_SHARE: f64 = 0.9;
+
 /// Detached shadow: at its closest, the region is at most this many scales from what casts the
 /// shadow. The scale is the width of a pixel or of the map's texel, whichever is larger.
 const DETACHED_CLOSEST_SCALES: f64 = 4.0;
@@ -36,6 +39,15 @@ pub(super) fn samples_a_region(regions: usize) -> usize {
 pub(super) fn is_overflow(evidence: &[Evidence]) -> bool {
     let past = evidence.iter().filter(|e| e.blockers >= COUNTER_RANGE);
     !evidence.is_empty() && past.count() as f64 >= OVERFLOW_SHARE * evidence.len() as f64
+}
+
+/// Whether the shadow map has no texel here that could say what stands before the light.
+pub(super) fn is_uncovered(frame: &Frame<'_>, evidence: &[Evidence]) -> bool {
+    let Some(texel) = frame.texel else {
+        return false;
+    };
+    let outside = evidence.iter().filter(|e| texel(e.point).is_none());
+    !evidence.is_empty() && outside.count() as f64 >= UNCOVERED_SHARE * evidence.len() as f64
 }
 
 /// Whether the light shines through between a caster and the beginning of its shadow.

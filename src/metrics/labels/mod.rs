@@ -5,7 +5,7 @@
 //!
 //! Rules are asked in this order, and the first that holds decides: the whole frame
 //! (`whole_frame`: inverted, offset); then, for each region of artifact pixels, overflow
-//! (`blockers`), staircase (`staircase`), detached shadow (`blockers`), leak (`streak`) and acne
+//! (`blockers`), uncovered (`blockers`), staircase (`staircase`), detached shadow (`blockers`), leak (`streak`) and acne
 //! (`speckle`). Boundary pixels belong to no region: they can only be part of a staircase, or of
 //! what is true of the whole frame.
 
@@ -25,7 +25,7 @@ use rayon::prelude::*;
 use super::mask_error::{MaskComparison, Place};
 use super::regions::{Artifact, Region, Sign, artifacts};
 use crate::reference::ReferenceError;
-use blockers::{is_detached, is_overflow, samples_a_region};
+use blockers::{is_detached, is_overflow, is_uncovered, samples_a_region};
 use clusters::Clusters;
 use frame::Frame;
 pub use frame::{FrameContext, TexelLookup};
@@ -47,6 +47,8 @@ pub enum Label {
     Staircase,
     /// False lit where so many shadows overlap that an 8-bit counter wraps around.
     Overflow,
+    /// False lit where the shadow map has no texel: it does not cover all that is in view.
+    Uncovered,
     /// The whole mask is the opposite of the truth.
     Inverted,
     /// The whole mask is the truth, moved by one pixel.
@@ -57,12 +59,13 @@ pub enum Label {
 
 impl Label {
     /// All of them.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 9] = [
         Self::Acne,
         Self::DetachedShadow,
         Self::Leak,
         Self::Staircase,
         Self::Overflow,
+        Self::Uncovered,
         Self::Inverted,
         Self::Offset,
         Self::Unlabelled,
@@ -77,6 +80,7 @@ impl Label {
             Self::Leak => "leak",
             Self::Staircase => "staircase",
             Self::Overflow => "overflow",
+            Self::Uncovered => "uncovered",
             Self::Inverted => "inverted",
             Self::Offset => "offset",
             Self::Unlabelled => "unlabelled",
@@ -164,6 +168,8 @@ fn label_regions(frame: &Frame<'_>, artifacts: &mut [Artifact], staircase: Optio
             };
             if is_overflow(&evidence) {
                 Label::Overflow
+            } else if is_uncovered(frame, &evidence) {
+                Label::Uncovered
             } else if staircase.is_some_and(|staircase| staircase.holds(frame, artifact)) {
                 Label::Staircase
             } else if is_detached(frame, &evidence) {

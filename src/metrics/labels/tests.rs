@@ -330,3 +330,25 @@ fn words_are_what_results_say() {
             .all(|(i, &label)| label as usize == i)
     );
 }
+
+#[test]
+fn what_a_map_does_not_cover_is_told_from_a_detached_shadow() {
+    // All of the shadow is missing; the map covers the left half of the picture, or all of it.
+    let mask = vec![0; WIDTH * HEIGHT];
+    let middle = middle_of_shadow(&SHOT);
+    let seam = SHOT
+        .probe()
+        .point(middle.y as usize * WIDTH + middle.x as usize);
+    let seam = seam.unwrap();
+    let half = |point: DVec3| (point.x < seam.x).then_some([0, 0, 0]);
+    let none = |_: DVec3| None;
+    let uncovered = |texel: &super::TexelLookup<'_>| {
+        let analysis = SHOT.analyse(&mask, Some(texel));
+        analysis.label_px(Label::Uncovered)
+    };
+    let wrong = errors(&mask);
+    assert_eq!(uncovered(&none), wrong.artifact_px);
+    assert_eq!(uncovered(&half), 0, "the region is covered in part");
+    let analysis = SHOT.analyse(&mask, None);
+    assert_eq!(analysis.label_px(Label::Uncovered), 0);
+}
