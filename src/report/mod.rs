@@ -75,7 +75,7 @@ pub fn write_all(dir: &Path, legend: &[LegendEntry]) -> Result<PathBuf> {
 }
 
 /// Writes the plots into the folder `plots` of `dir`, and removes figures of the paper and of accuracy
-/// against speed that an earlier report wrote and this one does not.
+/// that an earlier report wrote and this one does not.
 fn write_plots(dir: &Path, plots: &[Plot]) -> Result<()> {
     let dir = dir.join(PLOTS_DIR);
     std::fs::create_dir_all(&dir).with_context(|| format!("cannot create {}", dir.display()))?;
@@ -85,7 +85,7 @@ fn write_plots(dir: &Path, plots: &[Plot]) -> Result<()> {
             plot.write_png(path)
         })?;
     }
-    let stale = paper::figure_names().chain(pareto_plots(&dir)?);
+    let stale = paper::figure_names().chain(accuracy_plots(&dir)?);
     for name in stale.filter(|name| plots.iter().all(|plot| plot.name != *name)) {
         write::remove(&dir.join(format!("{name}.svg")))?;
         write::remove(&dir.join(format!("{name}.png")))?;
@@ -93,9 +93,9 @@ fn write_plots(dir: &Path, plots: &[Plot]) -> Result<()> {
     Ok(())
 }
 
-/// The names of the plots of accuracy against speed in the folder `dir`: they depend on its scenes, so
+/// The names of the plots of accuracy in the folder `dir`: they depend on its scenes, so
 /// that only the folder knows what an earlier report wrote.
-fn pareto_plots(dir: &Path) -> Result<Vec<String>> {
+fn accuracy_plots(dir: &Path) -> Result<Vec<String>> {
     let unreadable = || format!("cannot read {}", dir.display());
     let mut names = Vec::new();
     for entry in dir.read_dir().with_context(unreadable)? {
@@ -105,7 +105,11 @@ fn pareto_plots(dir: &Path) -> Result<Vec<String>> {
             Some("svg" | "png")
         );
         let name = path.file_stem().unwrap_or_default().to_string_lossy();
-        if is_plot && name.starts_with(plots::PARETO_PREFIX) {
+        if is_plot
+            && plots::SCENE_PLOT_PREFIXES
+                .iter()
+                .any(|prefix| name.starts_with(prefix))
+        {
             names.push(name.into_owned());
         }
     }

@@ -1,6 +1,6 @@
 //! Plots of a run, each drawn by one function onto an SVG and onto a PNG.
 //!
-//! One plot a file: `pareto`, `shadow_time_by_triangles`, `flight`, `shadow_time_by_scene`, `paper`.
+//! One plot a file: `pareto`, `errors_by_parameter`, `shadow_time_by_triangles`, `flight`, `shadow_time_by_scene`, `paper`.
 //! These choose the data; `scatter`, `lines` and `bars` draw it.
 
 use std::path::Path;
@@ -20,6 +20,7 @@ mod axis;
 mod bars;
 mod canvas;
 mod chosen;
+mod errors_by_parameter;
 mod flight;
 mod labels;
 mod legend;
@@ -31,7 +32,8 @@ mod scatter;
 mod shadow_time_by_scene;
 mod shadow_time_by_triangles;
 
-pub(super) use pareto::PREFIX as PARETO_PREFIX;
+/// How the names of plots begin that depend on the scenes of a run.
+pub(super) const SCENE_PLOT_PREFIXES: [&str; 2] = [pareto::PREFIX, errors_by_parameter::PREFIX];
 
 /// Size of a plot in pixels, in which everything on it is placed; but scatter charts are larger, and
 /// those with more in their legends higher.
@@ -86,10 +88,11 @@ pub fn draw(run: &Run) -> Result<Vec<Plot>> {
     figures.into_iter().map(Plot::new).collect()
 }
 
-/// Accuracy against speed, a plot for each cloud.
+/// Accuracy against speed, a plot for each cloud; then wrong pixels by each swept parameter.
 pub fn draw_pareto(run: &Run, clouds: &[Cloud]) -> Result<Vec<Plot>> {
     let figures = pareto::figures(run, clouds).into_iter();
-    figures.map(Plot::new).collect()
+    let by_parameter = errors_by_parameter::figures(run, clouds);
+    figures.chain(by_parameter).map(Plot::new).collect()
 }
 
 /// Figures 5 to 8 of the paper: its curves and the measured ones in one picture.
