@@ -126,7 +126,7 @@ fn a_run_leaves_everything_that_the_contract_names() {
 
 const ACCURACY: &str = r#"
 title = "Accuracy"
-size = [64, 48]
+size = [160, 120]
 frames = 4
 warmup_frames = 0
 verified_frames = 0
@@ -146,7 +146,8 @@ pcf = [1, 3]
 
 [[methods]]
 id = "cube_shadow_map"
-resolution = 128
+resolution = 512
+constant_bias = 0
 slope_bias = "search"
 "#;
 
@@ -186,7 +187,9 @@ fn accuracy_verifies_along_the_flight_and_charts_what_it_finds() {
         assert!(row["followed_px"].parse::<u64>().unwrap() > 1000, "{row:?}");
         let flip: f64 = row["flip_mean"].parse().unwrap();
         let wrong = row["false_lit"] != "0" || row["false_shadowed"] != "0";
-        assert_eq!(flip > 0.0, wrong, "{row:?}");
+        // A filtered map's grey edges are seen, though they count as right.
+        let is_grey = row["variant"].contains("pcf");
+        assert!((flip > 0.0) == wrong || is_grey, "{row:?}");
     }
     // Measured frames 0 and 2 of 4.
     let times: Vec<_> = errors.iter().map(|e| &*e["time_s"]).collect();
@@ -205,11 +208,12 @@ fn accuracy_verifies_along_the_flight_and_charts_what_it_finds() {
     assert_eq!(on_curve("pcf=3"), [64.0, 128.0, 256.0]);
     assert_eq!(on_curve(""), [64.0, 128.0, 256.0]);
 
-    // The bias that was found leaves no acne, and half of it does.
+    // The bias that was found takes acne away.
     let bias = &rows(&out.join("bias.csv"))[0];
-    assert_eq!((&*bias["resolution"], &*bias["acne_px"]), ("128", "0.0"));
+    let px = |column: &str| bias[column].parse::<f64>().unwrap();
+    assert_eq!(bias["resolution"], "512");
     assert!(
-        bias["acne_px_unbiased"].parse::<f64>().unwrap() > 0.0,
+        px("acne_px_unbiased") > 10.0 && px("acne_px") < 1.0,
         "{bias:?}"
     );
     let found: f64 = bias["slope_bias"].parse().unwrap();

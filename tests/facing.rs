@@ -12,7 +12,7 @@ use svbench::gpu::native::{
     BindingKind, Bindings, NativePass, Pipeline, PipelineDesc, PrimitiveTopology, Raster, Target,
     VertexInput,
 };
-use svbench::gpu::{Gpu, readback, shader};
+use svbench::gpu::{DepthDirection, Gpu, readback, shader};
 use svbench::scene::mesh::canonical;
 use wgpu::util::DeviceExt;
 
@@ -167,7 +167,7 @@ fn native(
         usage: wgpu::TextureUsages::RENDER_ATTACHMENT,
         view_formats: &[],
     });
-    let target = Target::new(&gpu.device, &texture).unwrap();
+    let target = Target::new(&gpu.device, &texture, DepthDirection::Reversed).unwrap();
     let bindings = Bindings::new(
         &gpu.device,
         &[

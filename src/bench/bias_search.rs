@@ -1,20 +1,21 @@
 //! The smallest slope bias of a shadow map without acne, and the detached shadow that it costs.
 
-use super::Verifier;
 use super::record::{BiasRow, Cell};
 use super::verify::Truth;
+use super::{Observer, Verifier};
 use crate::config::RunPlan;
 use crate::methods::{BiasSearch, PrepareContext, PreparedMethod};
 use crate::metrics::Label;
-use crate::scene::{CameraPath, View};
+use crate::scene::CameraPath;
 
 /// The first bias that is tried after none, in texels.
 const FIRST_BIAS: f64 = 0.25;
-/// The largest bias that is tried: it moves shadows by more than a hundred texels. A power of two times the
-/// first, so that doubling ends there.
+/// The largest bias that is tried: it moves shadows by more than a hundred texels.
 const LARGEST_BIAS: f64 = 128.0;
-/// The bias is found to this part of it, or to this many texels, whichever is coarser.
+/// The bias is found to this part of it, or to this part of a texel, whichever is coarser.
 const PRECISION: f64 = 1.0 / 16.0;
+/// Acne in so large a part of a picture is none: a handful of pixels may have got the wrong label.
+const TOLERANCE: f64 = 1e-5;
 /// Views of a run that verifies nothing.
 const VIEWS: u32 = 3;
 
@@ -34,18 +35,23 @@ struct Trial {
     detached_px: f64,
 }
 
-/// The views at which biases are tried: the verified ones.
-pub(super) fn views(plan: &RunPlan, camera: &CameraPath) -> Vec<View> {
-    let mut times_s = plan.verified_times(camera);
-    if times_s.is_empty() {
-        times_s = camera.frame_times(VIEWS as usize);
+/// When on the flight biases are tried: midway between the verified frames, lest a map be fitted to the very
+/// frames that it is judged by.
+pub(super) fn times(plan: &RunPlan, camera: &CameraPath) -> Vec<f64> {
+    let mut verified_s = plan.verified_times(camera);
+    if verified_s.is_empty() {
+        verified_s = camera.frame_times(VIEWS as usize);
     }
-    times_s.into_iter().map(|s| camera.view_at(s)).collect()
+    let next_s = verified_s.iter().skip(1).copied();
+    let next_s = next_s.chain([camera.duration_s()]);
+    verified_s
+        .iter()
+        .zip(next_s)
+        .map(|(a, b)| (a + b) / 2.0)
+        .collect()
 }
 
-/// The smallest bias that leaves no more acne than the largest one, for what no bias takes away is none:
-/// doubles the bias until it does, then halves the gap to the last one that did not. Acne is taken to become
-/// less as the bias grows; what is reported was tried.
+/// Searches for the bias of one cell at `truths`; `None` if the user wants the run to stop.
 ///
 /// # Errors
 /// A [`crate::methods::MethodError`] where the method cannot run here; else the device's.
@@ -53,41 +59,23 @@ pub(super) fn find(
     cell: &Cell,
     search: &BiasSearch<'_>,
     context: &PrepareContext<'_>,
-    verifier: &Verifier<'_>,
-    views: &[View],
-) -> anyhow::Result<FoundBias> {
-    let truths = views
-        .iter()
-        .map(|view| verifier.truth(view))
-        .collect::<anyhow::Result<Vec<_>>>()?;
+    (verifier, truths): (&Verifier<'_>, &[Truth]),
+    observer: &dyn Observer,
+) -> anyhow::Result<Option<FoundBias>> {
     let mut tried = 0;
-    let mut trial = |slope_bias: f64| {
+    let trial = |slope_bias: f64| {
+        if observer.interrupted() {
+            return Ok(None);
+        }
         tried += 1;
         let prepared = (search.with_bias)(slope_bias).prepare(context)?;
-        try_bias(slope_bias, prepared.as_ref(), verifier, &truths)
+        try_bias(slope_bias, prepared.as_ref(), verifier, truths).map(Some)
     };
-    let unbiased = trial(0.0)?;
-    let largest = trial(LARGEST_BIAS)?;
-    let is_enough = |trial: Trial| trial.acne_px <= largest.acne_px;
-    let (mut too_small, mut found) = (unbiased, unbiased);
-    let mut next = FIRST_BIAS;
-    while !is_enough(found) {
-        too_small = found;
-        found = trial(next)?;
-        next *= 2.0;
-    }
-    let is_coarse = |low: Trial, high: Trial| {
-        high.slope_bias - low.slope_bias > PRECISION * high.slope_bias.max(1.0)
+    let tolerance_px = TOLERANCE * f64::from(cell.width) * f64::from(cell.height);
+    let Some((unbiased, found)) = smallest(tolerance_px, trial)? else {
+        return Ok(None);
     };
-    while is_coarse(too_small, found) {
-        let middle = trial((found.slope_bias + too_small.slope_bias) / 2.0)?;
-        if is_enough(middle) {
-            found = middle;
-        } else {
-            too_small = middle;
-        }
-    }
-    Ok(FoundBias {
+    Ok(Some(FoundBias {
         slope_bias: found.slope_bias,
         row: BiasRow {
             scene: cell.scene.clone(),
@@ -101,7 +89,45 @@ pub(super) fn find(
             detached_px: found.detached_px,
             tried,
         },
-    })
+    }))
+}
+
+/// No bias, and the smallest one that leaves no more acne than the largest does, for what no bias takes away
+/// is none: doubles the bias until it is enough, then halves the gap to the last one that was not. Acne is
+/// taken to become less as the bias grows; what is returned was tried.
+fn smallest(
+    tolerance_px: f64,
+    mut trial: impl FnMut(f64) -> anyhow::Result<Option<Trial>>,
+) -> anyhow::Result<Option<(Trial, Trial)>> {
+    let (Some(unbiased), Some(largest)) = (trial(0.0)?, trial(LARGEST_BIAS)?) else {
+        return Ok(None);
+    };
+    let is_enough = |trial: Trial| trial.acne_px <= largest.acne_px + tolerance_px;
+    let (mut too_small, mut found) = (unbiased, unbiased);
+    let mut next = FIRST_BIAS;
+    while !is_enough(found) {
+        too_small = found;
+        found = if next < LARGEST_BIAS {
+            let Some(tried) = trial(next)? else {
+                return Ok(None);
+            };
+            tried
+        } else {
+            largest
+        };
+        next *= 2.0;
+    }
+    while found.slope_bias - too_small.slope_bias > PRECISION * found.slope_bias.max(1.0) {
+        let Some(middle) = trial((found.slope_bias + too_small.slope_bias) / 2.0)? else {
+            return Ok(None);
+        };
+        if is_enough(middle) {
+            found = middle;
+        } else {
+            too_small = middle;
+        }
+    }
+    Ok(Some((unbiased, found)))
 }
 
 fn try_bias(
@@ -123,4 +149,68 @@ fn try_bias(
         acne_px: a_frame(acne_px),
         detached_px: a_frame(detached_px),
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What is found for so much acne at each bias, and how many biases were tried.
+    fn found(acne_px: impl Fn(f64) -> f64) -> (f64, u32) {
+        let mut tried = 0;
+        let trial = |slope_bias| {
+            tried += 1;
+            Ok(Some(Trial {
+                slope_bias,
+                acne_px: acne_px(slope_bias),
+                detached_px: slope_bias,
+            }))
+        };
+        let (unbiased, found) = smallest(1.0, trial).unwrap().unwrap();
+        assert_eq!(unbiased.slope_bias, 0.0);
+        assert_eq!(
+            found.detached_px, found.slope_bias,
+            "what is returned was tried"
+        );
+        (found.slope_bias, tried)
+    }
+
+    #[test]
+    fn the_bias_at_which_acne_ends_is_found() {
+        for end in [0.1, 0.9, 1.0, 3.3, 17.0, 127.0] {
+            let (bias, tried) = found(|bias| 1000.0 * (end - bias).max(0.0));
+            let precision = PRECISION * bias.max(1.0);
+            assert!(
+                bias > end - 0.01 && bias <= end + precision,
+                "{end}: {bias}"
+            );
+            assert!(tried < 18, "{end}: {tried}");
+        }
+    }
+
+    #[test]
+    fn nothing_to_take_away_needs_no_bias() {
+        assert_eq!(found(|_| 0.0), (0.0, 2));
+        assert_eq!(found(|_| 70.0), (0.0, 2), "the same with any bias: no acne");
+        assert_eq!(found(|bias| if bias == 0.0 { 0.9 } else { 0.0 }), (0.0, 2));
+    }
+
+    #[test]
+    fn acne_that_comes_back_or_never_ends_ends_the_search() {
+        let (bias, _) = found(|bias| {
+            if bias > 2.0 && bias < 5.0 {
+                50.0
+            } else {
+                400.0 - 3.2 * bias
+            }
+        });
+        assert!(bias > 100.0, "{bias}");
+        let (bias, _) = found(|bias| if bias < 128.0 { 9.0 } else { 0.0 });
+        assert_eq!(bias, 128.0);
+    }
+
+    #[test]
+    fn an_interrupted_search_finds_nothing() {
+        assert!(smallest(1.0, |_| Ok(None)).unwrap().is_none());
+    }
 }

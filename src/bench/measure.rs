@@ -52,11 +52,11 @@ struct Tag {
     warmup: bool,
 }
 
-/// Flies along the camera path and hands every measured frame to `keep`, frames later.
+/// Flies along the camera path, each method on its stage, and hands every measured frame to `keep`, frames later.
 pub(super) fn measure(
     gpu: &Gpu,
     scene: &Scene,
-    methods: &[(&Stage, &dyn PreparedMethod)],
+    (stages, methods): (&[Stage], &[(usize, &dyn PreparedMethod)]),
     schedule: Schedule,
     observer: &dyn Observer,
     mut keep: impl FnMut(Measured) -> anyhow::Result<()>,
@@ -97,7 +97,7 @@ pub(super) fn measure(
     };
     for ((frame, time_s), warmup) in rounds {
         let view = scene.camera.view_at(time_s);
-        for (stage, _) in methods {
+        for stage in stages {
             stage.set_view(gpu, &view, scene.light);
         }
         order.shuffle(&mut shuffle);
@@ -114,7 +114,9 @@ pub(super) fn measure(
             };
             drawn += 1;
             let (stage, prepared) = methods[method];
-            let done = timer.frame(gpu, tag, |recorder| stage.record(recorder, prepared))?;
+            let done = timer.frame(gpu, tag, |recorder| {
+                stages[stage].record(recorder, prepared);
+            })?;
             done.map_or(Ok(()), &mut keep_measured)?;
             observer.advance(1);
         }

@@ -1,6 +1,6 @@
 //! Writing a run directory.
 //!
-//! `samples.csv` and `errors.csv` grow row by row, each flushed as measured, so that a run that dies keeps what it
+//! `samples.csv`, `errors.csv`, `regions.csv` and `bias.csv` grow row by row, each flushed as it comes, so that a run that dies keeps what it
 //! has. Everything else is written to a temporary file and renamed: a file that is there is whole.
 
 use super::record::{

@@ -4,12 +4,14 @@ use super::cell::{CellRun, State, name_cell};
 use super::measure::{Schedule, measure};
 use super::record::{EdgeRecord, MethodRecord, SceneRecord, Status, Summary};
 use super::run_dir::RunDir;
+use super::verify::Truth;
 use super::verify_cells::verify_cells;
 use super::{RunRequest, Verifier, bias_search};
 use crate::config::{MethodPlan, ScenePlan};
 use crate::frame::{DepthSetup, Stage};
-use crate::methods::{MethodError, PrepareContext, PreparedMethod};
+use crate::methods::{BiasSearch, MethodError, PrepareContext, PreparedMethod};
 use crate::scene::{Scene, SceneError};
+use std::rc::Rc;
 
 /// What a scene's part of the run came to.
 pub(super) struct SceneOutcome {
@@ -86,18 +88,29 @@ fn run_loaded(
     let searched = methods
         .iter()
         .any(|plan| plan.method.bias_search().is_some());
-    let verifiers = if verified || searched {
+    let verifiers: Vec<Verifier<'_>> = if verified || searched {
         let first = Verifier::new(request.gpu, scene, &stages[0], request.cache)?;
         stages.iter().map(|stage| first.on(stage)).collect()
     } else {
         Vec::new()
+    };
+    let mut biases = BiasFinder {
+        request,
+        truths: vec![None; stages.len()],
+        verifiers: &verifiers,
+        dir,
     };
     let mut cells = Vec::new();
     for plan in methods {
         let setup = plan.method.depth_setup();
         let stage = stages.iter().position(|stage| stage.depth == setup);
         let state = match stage {
-            Some(stage) => prepare(request, &context.on(&stages[stage]), plan, &verifiers, dir)?,
+            Some(stage) => {
+                let context = context.on(&stages[stage]);
+                prepare(request, &context, plan, |search| {
+                    biases.find(plan, search, &context, stage)
+                })?
+            }
             None => State::of(Err(setup
                 .check(request.gpu)
                 .map_or_else(MethodError::Unavailable, |()| {
@@ -144,36 +157,67 @@ fn stages(request: &RunRequest<'_>, scene: &Scene) -> Vec<Stage> {
     stages
 }
 
+/// Makes a method ready; `find` searches for its bias, if it asks for that.
 fn prepare(
     request: &RunRequest<'_>,
     context: &PrepareContext<'_>,
     plan: &MethodPlan,
-    verifiers: &[Verifier<'_>],
-    dir: &mut RunDir,
+    find: impl FnOnce(&BiasSearch<'_>) -> anyhow::Result<Option<f64>>,
 ) -> anyhow::Result<State> {
-    let (scene, method) = (context.scene, plan.method.as_ref());
+    let method = plan.method.as_ref();
     let info = method.info();
-    let phase = |what: &str| {
-        let text = format!("{}: {what} {}", scene.name, info.id);
-        request.observer.phase(&text);
-    };
     if let Err(reason) = info.check(request.gpu) {
         return Ok(State::of(Err(MethodError::Unavailable(reason))));
     }
     let Some(search) = method.bias_search() else {
-        phase("preparing");
+        let text = format!("{}: preparing {}", context.scene.name, info.id);
+        request.observer.phase(&text);
         return Ok(State::of(method.prepare(context)));
     };
-    phase("finding the bias of");
-    let cell = name_cell(&scene.name, method, request.plan.size_px);
-    let views = bias_search::views(request.plan, &scene.camera);
-    match bias_search::find(&cell, &search, context, &verifiers[0], &views) {
-        Ok(found) => {
-            dir.append_bias(&found.row)?;
-            let biased = (search.with_bias)(found.slope_bias);
-            Ok(State::of(biased.prepare(context)))
-        }
+    match find(&search) {
+        Ok(Some(bias)) => Ok(State::of((search.with_bias)(bias).prepare(context))),
+        Ok(None) => Ok(State::Not(Status::Skipped, "interrupted".to_owned())),
         Err(error) => Ok(State::of(Err(error.downcast::<MethodError>()?))),
+    }
+}
+
+/// Finds biases, and keeps what is true at the views where they are tried.
+struct BiasFinder<'a> {
+    request: &'a RunRequest<'a>,
+    verifiers: &'a [Verifier<'a>],
+    /// Of each stage, once somebody searches on it.
+    truths: Vec<Option<Rc<[Truth]>>>,
+    dir: &'a mut RunDir,
+}
+
+impl BiasFinder<'_> {
+    fn find(
+        &mut self,
+        plan: &MethodPlan,
+        search: &BiasSearch<'_>,
+        context: &PrepareContext<'_>,
+        stage: usize,
+    ) -> anyhow::Result<Option<f64>> {
+        let (request, scene) = (self.request, context.scene);
+        let cell = name_cell(&scene.name, plan.method.as_ref(), request.plan.size_px);
+        let text = format!("{}: finding the bias of {}", cell.scene, cell.method);
+        request.observer.phase(&text);
+        let verifier = &self.verifiers[stage];
+        let truths = match &self.truths[stage] {
+            Some(truths) => Rc::clone(truths),
+            None => {
+                let times_s = bias_search::times(request.plan, &scene.camera).into_iter();
+                let truths = times_s.map(|s| verifier.truth(&scene.camera.view_at(s)));
+                let truths: Rc<[Truth]> = truths.collect::<anyhow::Result<_>>()?;
+                Rc::clone(self.truths[stage].insert(truths))
+            }
+        };
+        let on = (verifier, &*truths);
+        let found = bias_search::find(&cell, search, context, on, request.observer)?;
+        if let Some(found) = &found {
+            self.dir.append_bias(&found.row)?;
+        }
+        Ok(found.map(|found| found.slope_bias))
     }
 }
 
@@ -193,15 +237,15 @@ fn measure_cells(
         seed: request.plan.seed,
     };
     let mut kept = Vec::new();
-    let (ready, methods): (Vec<usize>, Vec<(&Stage, &dyn PreparedMethod)>) = cells
+    let (ready, methods): (Vec<usize>, Vec<(usize, &dyn PreparedMethod)>) = cells
         .iter()
         .enumerate()
-        .filter_map(|(i, run)| Some((i, (&stages[run.stage], run.prepared()?))))
+        .filter_map(|(i, run)| Some((i, (run.stage, run.prepared()?))))
         .unzip();
     measure(
         request.gpu,
         scene,
-        &methods,
+        (stages, &methods),
         schedule,
         request.observer,
         |measured| {

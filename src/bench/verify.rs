@@ -140,7 +140,7 @@ impl<'a> Verifier<'a> {
         readback::read_texture(self.gpu, &self.stage.targets.colour)
     }
 
-    /// RGBA of the frame as it is with the true shadows; ambiguous pixels are lit.
+    /// RGBA of the frame as it is with the true shadows; ambiguous pixels are lit, see [`Self::flip`].
     ///
     /// # Errors
     /// When the device is lost.
@@ -180,7 +180,8 @@ impl<'a> Verifier<'a> {
             view: &truth.view,
             triangle_ids: &truth.triangle_ids,
             edges: &truth.edges,
-            texel: texels.as_deref().map(|texels| texels as _),
+            texel: texels.as_ref().map(|texels| &*texels.of as _),
+            texel_reach: texels.as_ref().map_or(0, |texels| texels.reach),
         };
         Ok(Judgement {
             error: comparison.error(),
@@ -200,13 +201,21 @@ impl<'a> Verifier<'a> {
         Ok(self.reference.follow(from, to)?)
     }
 
-    /// Mean FLIP of two pictures of the frame, RGBA: 0 alike to 1.
+    /// Mean FLIP of a picture of the frame against the one with the true shadows, RGBA: 0 alike to 1.
+    /// Ambiguous pixels are taken to be right.
     ///
     /// # Errors
     /// When they differ in size.
-    pub fn flip(&self, truth: &[u8], picture: &[u8]) -> anyhow::Result<f64> {
+    pub fn flip(&self, truth: &Truth, true_picture: &[u8], picture: &[u8]) -> anyhow::Result<f64> {
+        let mut expected = true_picture.to_vec();
+        let pixels = expected.chunks_exact_mut(4).zip(picture.chunks_exact(4));
+        for ((expected, found), verdict) in pixels.zip(&truth.mask.verdicts) {
+            if *verdict == Verdict::Ambiguous {
+                expected.copy_from_slice(found);
+            }
+        }
         let size = [self.stage.targets.width, self.stage.targets.height];
-        Ok(mean_flip(size, truth, picture)?)
+        Ok(mean_flip(size, &expected, picture)?)
     }
 }
 

@@ -26,22 +26,33 @@ pub(super) fn verify_cells(
 ) -> anyhow::Result<()> {
     let size_px = request.plan.size_px;
     let times_s = request.plan.verified_times(&scene.camera);
+    let is_used = |stage: usize| {
+        let mut ready = cells.iter().filter(|run| run.prepared().is_some());
+        ready.any(|run| run.stage == stage)
+    };
+    let used: Vec<usize> = (0..verifiers.len())
+        .filter(|stage| is_used(*stage))
+        .collect();
     for (frame, time_s) in (0..).zip(times_s) {
-        for (stage, verifier) in verifiers.iter().enumerate() {
+        for &stage in &used {
             if request.observer.interrupted() {
                 return Ok(());
             }
+            let verifier = &verifiers[stage];
             request.observer.phase(&format!(
                 "{}: tracing the truth at {time_s:.1} s",
                 scene.name
             ));
             let moment = Moment::new(request, verifier, &scene.camera, time_s)?;
-            if frame == 0 && stage == 0 {
+            if frame == 0 && stage == used[0] {
                 let grey = moment.truth.mask.to_grey();
                 let image = Image::grey(size_px, &grey);
                 dir.write_image((&scene.name, "", ""), ImageKind::Reference, &image)?;
             }
             for run in cells.iter_mut().filter(|run| run.stage == stage) {
+                if request.observer.interrupted() {
+                    return Ok(());
+                }
                 verify_cell(request, &moment, (frame, time_s), run, dir)?;
             }
         }
@@ -123,7 +134,7 @@ fn verify_cell(
         None => None,
     };
     let flip = match (&moment.picture, &picture) {
-        (Some(truth), Some(picture)) => Some(verifier.flip(truth, picture)?),
+        (Some(truth), Some(picture)) => Some(verifier.flip(&moment.truth, truth, picture)?),
         _ => None,
     };
     if let Some(picture) = picture.filter(|_| frame == 0) {

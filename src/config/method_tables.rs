@@ -5,6 +5,7 @@ use super::misplaced::{Misplaced, missing, twice};
 use super::sweep::{Point, expand};
 use crate::methods::{self, ShadowMethod, parameters, registry::Registration};
 use crate::toml_error;
+use std::collections::BTreeSet;
 use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeArray, DeTable, DeValue};
@@ -32,13 +33,15 @@ fn read_distinct_methods(array: DeArray<'_>) -> Result<Vec<MethodPlan>, Misplace
         label.trim_end().to_owned()
     };
     let mut plans: Vec<MethodPlan> = Vec::new();
+    let mut names = BTreeSet::new();
     for entry in array {
         let span = entry.span();
         for plan in read_entry(entry)? {
             let name = label(&plan);
-            if plans.iter().any(|earlier| label(earlier) == name) {
+            if names.contains(&name) {
                 return Err(twice(span, "method", &name));
             }
+            names.insert(name);
             plans.push(plan);
         }
     }
@@ -82,7 +85,7 @@ fn configure(
     table: DeTable<'_>,
     span: &Range<usize>,
 ) -> Result<Box<dyn ShadowMethod>, Misplaced> {
-    (registration.configure)(Spanned::new(span.clone(), table)).map_err(|error| {
+    (registration.configure)(&Spanned::new(span.clone(), table)).map_err(|error| {
         let message = toml_error::with_suggestion(&error.message);
         let id = registration.info.id;
         Misplaced::new(

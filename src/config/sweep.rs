@@ -76,11 +76,14 @@ pub(super) fn expand<R>(
             }
         }
     }
-    let points: usize = axes.iter().map(|(_, axis)| axis.values.len()).product();
-    if let Some((key, _)) = axes.first().filter(|_| points > MOST_POINTS) {
+    let points = axes.iter().try_fold(1, |points: usize, (key, axis)| {
+        let points = points.saturating_mul(axis.values.len());
+        if points <= MOST_POINTS {
+            return Ok(points);
+        }
         let message = format!("lists of {points} values together; at most {MOST_POINTS} are run");
-        return Err(Misplaced::new(key.span(), message));
-    }
+        Err(Misplaced::new(key.span(), message))
+    })?;
     let lengths = axes
         .iter()
         .enumerate()
@@ -191,7 +194,7 @@ fn range(name: &str, value: &Spanned<DeValue<'_>>) -> Result<Vec<String>, Mispla
         }
     };
     // The last value may be missed by rounding.
-    let most = to + 1e-9 * to.abs().max(1.0);
+    let most = to + 1e-9 * (to - from);
     let numbers: Vec<f64> = (0..)
         .map(|i| next(from, by.value(), i))
         .take_while(|value| *value <= most)
@@ -205,7 +208,10 @@ fn range(name: &str, value: &Spanned<DeValue<'_>>) -> Result<Vec<String>, Mispla
     let text = |number: f64| match whole {
         true => format!("{number:.0}"),
         // As a person would have written it, and always with a point or an exponent.
-        false => format!("{:?}", (number * 1e9).round() / 1e9),
+        false => {
+            let rounded: f64 = format!("{number:.11e}").parse().unwrap_or(number);
+            format!("{rounded:?}")
+        }
     };
     Ok(numbers.into_iter().map(text).collect())
 }
@@ -224,7 +230,10 @@ fn number(value: &DeValue<'_>) -> Option<f64> {
 mod tests {
     use super::*;
 
-    fn points(text: &str) -> Result<Vec<(String, Option<(String, f64)>)>, String> {
+    /// A point's table, and its curve's with its value.
+    type Described = (String, Option<(String, f64)>);
+
+    fn points(text: &str) -> Result<Vec<Described>, String> {
         let table = DeTable::parse(text).unwrap().into_inner();
         let describe = |table: &DeTable<'_>| {
             let pairs = table.iter().map(|(key, value)| {
@@ -279,6 +288,10 @@ mod tests {
             ["r=0.1", "r=0.2", "r=0.3"]
         );
         assert_eq!(names("r = { from = 1, to = 2, step = 0.5 }").len(), 3);
+        assert_eq!(
+            names("r = { from = 1e-9, to = 3e-9, factor = 1.5 }"),
+            ["r=1e-9", "r=1.5e-9", "r=2.25e-9"]
+        );
     }
 
     #[test]
@@ -300,5 +313,10 @@ mod tests {
         }
         let long = format!("a = [{}]\nb = [{}]", "1,".repeat(40), "2,".repeat(40));
         assert!(points(&long).unwrap_err().contains("1600 values"));
+        let range = "{ from = 1, to = 256, step = 1 }";
+        let longer: String = ('a'..='h')
+            .map(|name| format!("{name} = {range}\n"))
+            .collect();
+        assert!(points(&longer).unwrap_err().contains("65536 values"));
     }
 }

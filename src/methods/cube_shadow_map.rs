@@ -146,7 +146,7 @@ struct PreparedCube {
     pipeline: wgpu::RenderPipeline,
     lookup: Lookup,
     light: DVec3,
-    resolution: u32,
+    parameters: MapParameters,
 }
 
 impl PreparedCube {
@@ -210,7 +210,7 @@ impl PreparedCube {
             lookup: Lookup::new(context, shader, (&whole, dimension), &cube, parameters.pcf),
             pipeline,
             light: light.as_dvec3(),
-            resolution: parameters.resolution,
+            parameters: *parameters,
         })
     }
 }
@@ -242,20 +242,20 @@ impl PreparedMethod for PreparedCube {
 
     fn texels(&self) -> Option<Texels<'_>> {
         let axes = faces().map(|face| [face.right, face.up, face.forward].map(|a| a.as_dvec3()));
-        Some(Box::new(move |point: DVec3| {
+        let of = move |point: DVec3| {
             let from_light = point - self.light;
             let along = |(_, axes): &(i64, [DVec3; 3])| axes[2].dot(from_light);
             let (layer, [right, up, forward]) = (0..)
                 .zip(axes)
                 .max_by(|a, b| along(a).total_cmp(&along(b)))?;
             let ndc = [right, up].map(|axis| axis.dot(from_light) / forward.dot(from_light));
-            Some(light_depth::texel_at(
-                layer,
-                ndc[0],
-                ndc[1],
-                self.resolution,
-            ))
-        }))
+            let side = self.parameters.resolution;
+            Some(light_depth::texel_at(layer, ndc[0], ndc[1], side))
+        };
+        Some(Texels {
+            of: Box::new(of),
+            reach: self.parameters.pcf / 2,
+        })
     }
 
     fn counters(&self) -> Vec<(&'static str, u64)> {

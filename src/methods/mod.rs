@@ -129,7 +129,15 @@ impl<'a> PrepareContext<'a> {
 
 /// Gives the texel of a shadow map in which a point in world space is looked up: layer, column, row.
 /// `None` outside of the map.
-pub type Texels<'a> = Box<dyn Fn(DVec3) -> Option<[i64; 3]> + Sync + 'a>;
+pub type TexelOf<'a> = Box<dyn Fn(DVec3) -> Option<[i64; 3]> + Sync + 'a>;
+
+/// How a shadow map is looked up.
+pub struct Texels<'a> {
+    /// Where.
+    pub of: TexelOf<'a>,
+    /// How many texels to each side of that one have a say too.
+    pub reach: u32,
+}
 
 /// Gives the same method with a slope bias in texels.
 pub type WithBias<'a> = Box<dyn Fn(f64) -> Box<dyn ShadowMethod> + 'a>;

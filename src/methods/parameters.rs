@@ -51,7 +51,7 @@ pub trait Parameters: Serialize + DeserializeOwned + Default {
 
 /// Reads a method from its table of parameters.
 pub(super) fn configure<M>(
-    table: Spanned<DeTable<'_>>,
+    table: &Spanned<DeTable<'_>>,
 ) -> Result<Box<dyn ShadowMethod>, ParameterError>
 where
     M: Parameters + ShadowMethod + 'static,
@@ -139,7 +139,7 @@ pub fn parse_method(text: &str) -> Result<Box<dyn ShadowMethod>, ParameterError>
         }
     }
     let table = DeTable::parse(&document).map_err(ParameterError::from)?;
-    (registration.configure)(table).map_err(|error| {
+    (registration.configure)(&table).map_err(|error| {
         let message = crate::toml_error::with_suggestion(&error.message);
         plain(format!("method `{id}`: {message}"))
     })

@@ -6,7 +6,7 @@ use super::{cube_shadow_map, shadow_map, silhouette_gs, silhouette_ts, triangle_
 use toml::Spanned;
 use toml::de::DeTable;
 
-type Configure = fn(Spanned<DeTable<'_>>) -> Result<Box<dyn ShadowMethod>, ParameterError>;
+type Configure = fn(&Spanned<DeTable<'_>>) -> Result<Box<dyn ShadowMethod>, ParameterError>;
 
 /// A known method: what it is, and how its parameters are read.
 pub struct Registration {

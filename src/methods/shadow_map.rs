@@ -72,7 +72,7 @@ struct PreparedMap {
     light: wgpu::BindGroup,
     lookup: Lookup,
     frustum: LightFrustum,
-    resolution: u32,
+    parameters: MapParameters,
 }
 
 impl PreparedMap {
@@ -105,7 +105,7 @@ impl PreparedMap {
             lookup: Lookup::new(context, shader, (&map, dimension), &matrix, parameters.pcf),
             map,
             pipeline,
-            resolution: parameters.resolution,
+            parameters: *parameters,
             frustum,
         })
     }
@@ -123,12 +123,16 @@ impl PreparedMethod for PreparedMap {
 
     fn texels(&self) -> Option<Texels<'_>> {
         let view_projection = self.frustum.view_projection.as_dmat4();
-        Some(Box::new(move |point: DVec3| {
+        let of = move |point: DVec3| {
             let clip = view_projection * point.extend(1.0);
             let ndc = clip.truncate() / clip.w;
             let inside = clip.w > 0.0 && ndc.x.abs().max(ndc.y.abs()) < 1.0;
-            inside.then(|| light_depth::texel_at(0, ndc.x, ndc.y, self.resolution))
-        }))
+            inside.then(|| light_depth::texel_at(0, ndc.x, ndc.y, self.parameters.resolution))
+        };
+        Some(Texels {
+            of: Box::new(of),
+            reach: self.parameters.pcf / 2,
+        })
     }
 
     fn warnings(&self) -> Vec<String> {

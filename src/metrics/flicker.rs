@@ -1,7 +1,5 @@
 //! Errors in time: surface points that turn from right to wrong or back while the eye moves.
 
-use std::ops::{Add, AddAssign};
-
 use super::mask_error::{MaskComparison, PixelResult};
 use crate::reference::{Motion, Verdict};
 
@@ -40,23 +38,6 @@ impl Flicker {
             }
         }
         flicker
-    }
-}
-
-impl Add for Flicker {
-    type Output = Self;
-
-    fn add(self, other: Self) -> Self {
-        Self {
-            followed_px: self.followed_px + other.followed_px,
-            flicker_px: self.flicker_px + other.flicker_px,
-        }
-    }
-}
-
-impl AddAssign for Flicker {
-    fn add_assign(&mut self, other: Self) {
-        *self = *self + other;
     }
 }
 
@@ -111,7 +92,5 @@ mod tests {
         let came = flicker(&exact, &broken);
         assert_eq!(came.followed_px, steady.followed_px);
         assert!((80..=120).contains(&came.flicker_px), "{came:?}");
-        let both = came + came;
-        assert_eq!(both.flicker_px, 2 * came.flicker_px);
     }
 }

@@ -69,6 +69,7 @@ impl Shot {
             triangle_ids: &self.ids,
             edges: &EdgeDistances::new(&self.truth),
             texel,
+            texel_reach: 0,
         };
         analyse(&self.compare(mask), &context).unwrap()
     }

@@ -327,6 +327,7 @@ fn frame_error(cell: &Cell, frame: u32, wrong_px: u64) -> FrameError {
         artifact_px: far_px,
         distances: format!("1={};4={far_px};more=0", wrong_px - far_px),
         distance_px_max: (wrong_px > 0).then_some(3.5),
+        regions: u64::from(far_px > 0) * 3,
         labels: format!("acne={far_px};leak={}", wrong_px / 9),
         followed_px: Some(1_000_000),
         flicker_px: Some(wrong_px / 10),

@@ -44,10 +44,11 @@ impl Run {
         let samples: Vec<Sample> = read_rows(&dir.join(SAMPLES_FILE), cut_off, &mut warnings)?;
         let mut summaries: Vec<Summary> =
             read_rows(&dir.join(SUMMARY_FILE), cut_off, &mut warnings)?;
-        summaries.extend(unsummed(&samples, &summaries));
+        let errors = read_optional_rows(&dir.join(ERRORS_FILE), cut_off, &mut warnings)?;
+        summaries.extend(unsummed(&samples, &errors, &summaries));
         Ok(Self {
             dir: dir.to_owned(),
-            errors: read_optional_rows(&dir.join(ERRORS_FILE), cut_off, &mut warnings)?,
+            errors,
             regions: read_optional_rows(&dir.join(REGIONS_FILE), cut_off, &mut warnings)?,
             biases: read_optional_rows(&dir.join(BIAS_FILE), cut_off, &mut warnings)?,
             info,
@@ -131,12 +132,7 @@ impl Run {
 
     /// The verified frames that a row sums up.
     pub fn errors_of<'a>(&'a self, row: &'a Summary) -> impl Iterator<Item = &'a FrameError> {
-        self.errors.iter().filter(|error| {
-            error.scene == row.scene
-                && error.method == row.method
-                && error.variant == row.variant
-                && (error.width, error.height) == (row.width, row.height)
-        })
+        self.errors.iter().filter(|error| is_error_of(error, row))
     }
 
     /// The rows of a scene, in the order of [`Self::contenders`].
@@ -193,8 +189,15 @@ fn is_of(sample: &Sample, row: &Summary) -> bool {
         && (sample.width, sample.height) == (row.width, row.height)
 }
 
+fn is_error_of(error: &FrameError, row: &Summary) -> bool {
+    error.scene == row.scene
+        && error.method == row.method
+        && error.variant == row.variant
+        && (error.width, error.height) == (row.width, row.height)
+}
+
 /// Rows for the cells that have samples but were cut off before they were summed up.
-fn unsummed(samples: &[Sample], summaries: &[Summary]) -> Vec<Summary> {
+fn unsummed(samples: &[Sample], errors: &[FrameError], summaries: &[Summary]) -> Vec<Summary> {
     let mut rows: Vec<Summary> = Vec::new();
     for sample in samples {
         if summaries.iter().chain(&rows).any(|row| is_of(sample, row)) {
@@ -216,13 +219,12 @@ fn unsummed(samples: &[Sample], summaries: &[Summary]) -> Vec<Summary> {
             .filter(|s| is_of(s, &blank))
             .cloned()
             .collect();
+        let verified = errors.iter().filter(|e| is_error_of(e, &blank));
+        let verified: Vec<FrameError> = verified.cloned().collect();
+        let status = Status::Unverified;
         let reason = "the run was cut off in this cell";
         rows.push(Summary::from_samples(
-            &cell,
-            &own,
-            &[],
-            Status::Unverified,
-            reason,
+            &cell, &own, &verified, status, reason,
         ));
     }
     rows

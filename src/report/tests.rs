@@ -263,9 +263,24 @@ fn the_chart_names_every_point_and_marks_zero() {
             "pareto_all",
             "pareto_grid_n10",
             "pareto_grid_n20",
-            "pareto_sponza"
+            "pareto_sponza",
+            "errors_by_resolution_grid_n10",
+            "errors_by_pcf_grid_n10",
+            "errors_by_resolution_grid_n20",
+            "errors_by_pcf_grid_n20",
+            "errors_by_resolution_sponza",
+            "errors_by_pcf_sponza",
         ]
     );
+    let by_pcf: Vec<&str> = plots[9].svg.lines().map(str::trim).collect();
+    for name in [
+        "pcf (log scale)",
+        "cube_shadow_map",
+        "slope_bias=2",
+        "artifacts",
+    ] {
+        assert!(by_pcf.contains(&name), "{name}");
+    }
     for (plot, cloud) in plots.iter().zip(&clouds) {
         let texts: Vec<&str> = plot.svg.lines().map(str::trim).collect();
         for point in &cloud.points {
@@ -309,7 +324,8 @@ fn the_page_shows_charts_errors_regions_and_biases() {
     ] {
         assert!(errors.contains(text), "{text}: {errors}");
     }
-    assert!(errors.contains("1 of 1") && errors.contains(">1,234<") && errors.contains("10–40"));
+    // Three regions in each of two frames of the twelve cells with artifacts there.
+    assert!(errors.contains("(1 of 72)") && errors.contains(">1,234<") && errors.contains("10–40"));
     let (_, bias) = rest.split_once("<section id=\"bias\">").unwrap();
     for text in [">2.25<", ">4321.5<", ">77.2<"] {
         assert!(bias.contains(text), "{text}");

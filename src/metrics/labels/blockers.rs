@@ -36,7 +36,11 @@ pub(super) fn samples_a_region(regions: usize) -> usize {
 }
 
 /// Whether so many shadows overlap here that an 8-bit counter cannot tell them from fewer.
-pub(super) fn is_overflow(evidence: &[Evidence]) -> bool {
+pub(super) fn is_overflow(frame: &Frame<'_>, evidence: &[Evidence]) -> bool {
+    // A shadow map counts nothing.
+    if frame.texel.is_some() {
+        return false;
+    }
     let past = evidence.iter().filter(|e| e.blockers >= COUNTER_RANGE);
     !evidence.is_empty() && past.count() as f64 >= OVERFLOW_SHARE * evidence.len() as f64
 }

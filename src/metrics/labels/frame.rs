@@ -25,6 +25,8 @@ pub struct FrameContext<'a> {
     pub edges: &'a EdgeDistances,
     /// The texels of the shadow map, for a method that has one.
     pub texel: Option<&'a TexelLookup<'a>>,
+    /// How many texels to each side of that one have a say too, in a filtered map.
+    pub texel_reach: u32,
 }
 
 /// Regions with a gap of at most this many pixels belong together.
@@ -42,6 +44,7 @@ pub(super) struct Frame<'a> {
     pub(super) probe: EvidenceProbe<'a>,
     pub(super) edges: &'a EdgeDistances,
     pub(super) texel: Option<&'a TexelLookup<'a>>,
+    pub(super) texel_reach: u32,
     /// The median width of texels at wrong pixels, in pixels of the picture.
     pub(super) texel_px: Option<f64>,
     pub(super) width: usize,
@@ -63,12 +66,14 @@ impl<'a> Frame<'a> {
             triangle_ids,
             edges,
             texel,
+            texel_reach,
         } = *context;
         let mut frame = Self {
             comparison,
             probe: reference.evidence(light, view, triangle_ids)?,
             edges,
             texel,
+            texel_reach,
             texel_px: None,
             width: view.width as usize,
         };

@@ -166,7 +166,7 @@ fn label_regions(frame: &Frame<'_>, artifacts: &mut [Artifact], staircase: Optio
                 Sign::FalseLit => frame.evidence(&artifact.pixels, samples),
                 Sign::FalseShadowed => Vec::new(),
             };
-            if is_overflow(&evidence) {
+            if is_overflow(frame, &evidence) {
                 Label::Overflow
             } else if is_uncovered(frame, &evidence) {
                 Label::Uncovered

@@ -43,8 +43,8 @@ const AWAY_SHARE: f64 = 0.5;
 /// within this many pixels.
 const AWAY_PX: f64 = 4.0;
 
-/// Where texels are known, no speckle is asked for this many texels away from the true edge: there
-/// a map has nothing but the surface itself to shadow it with.
+/// Where texels are known, no speckle is asked for this many texels (and the reach of the filter) away
+/// from the true edge: there a map has nothing but the surface itself to shadow it with.
 const AWAY_TEXELS: f64 = 2.0;
 
 /// At most this many pixels of a cluster are asked for their distance from the edge.
@@ -57,8 +57,9 @@ pub(super) fn is_speckle(frame: &Frame<'_>, cluster: &Cluster) -> bool {
     } else {
         BAR
     };
+    let away_texels = AWAY_TEXELS + f64::from(frame.texel_reach);
     if let Some(texel_px) = frame.texel_px
-        && is_lit_and_away(frame, &cluster.pixels, AWAY_PX.max(AWAY_TEXELS * texel_px))
+        && is_lit_and_away(frame, &cluster.pixels, AWAY_PX.max(away_texels * texel_px))
     {
         return true;
     }

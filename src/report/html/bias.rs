@@ -12,9 +12,10 @@ pub(super) fn section(run: &Run) -> Markup {
             section #bias {
                 h2 { "Bias" }
                 p.note {
-                    "The smallest slope bias that leaves no acne, for each shadow map whose bias was searched "
-                    "for, and the shadow that it detaches from its caster: in pixels per frame, before (without "
-                    "slope bias) and after.."
+                    "The smallest slope bias that leaves no more acne than the largest one does, for each shadow "
+                    "map whose bias was searched for, and the shadow that it detaches from its caster: in pixels "
+                    "per frame, before (without slope bias) and after. Biases are tried in other frames than the "
+                    "verified ones."
                 }
                 div.scroll tabindex="0" role="region" aria-label="Biases found" {
                     table {

@@ -185,12 +185,13 @@ fn kinds(row: &Summary) -> Option<String> {
 fn regions(run: &Run, scene: &str) -> Markup {
     let mut regions: Vec<&RegionRow> = run.regions.iter().filter(|r| r.scene == scene).collect();
     regions.sort_by_key(|region| std::cmp::Reverse(region.size_px));
-    let all = regions.len();
+    let errors = run.errors.iter().filter(|error| error.scene == scene);
+    let all: u64 = errors.map(|error| error.regions).sum();
     regions.truncate(MOST_REGIONS);
     html! {
         @if !regions.is_empty() {
             details {
-                summary { "Largest regions of artifacts (" (regions.len()) " of " (all) ")" }
+                summary { "Largest regions of artifacts (" (regions.len()) " of " (count(all)) ")" }
                 div.scroll tabindex="0" role="region" aria-label="Largest regions of artifacts" {
                     table {
                         thead {

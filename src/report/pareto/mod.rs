@@ -104,7 +104,8 @@ pub fn clouds(run: &Run) -> Vec<Cloud> {
     overall::cloud(&scenes).into_iter().chain(scenes).collect()
 }
 
-/// The point of a cell; `None` where it was not both measured and verified, or at another size than
+/// The point of a cell; `None` where it was not both measured (in more time than the
+/// device can tell from none) and verified, or at another size than
 /// the run's: pixels of pictures of different sizes do not compare.
 fn point(run: &Run, row: &Summary) -> Option<Point> {
     let own_size = (row.width, row.height) == (run.info.width, run.info.height);
@@ -129,7 +130,9 @@ fn point(run: &Run, row: &Summary) -> Option<Point> {
         curve: Curve::of(&contender, sweep.as_ref()),
         contender,
         sweep,
-        shadow_ms: row.shadow_ms_median.filter(|ms| ms.is_finite())?,
+        shadow_ms: row
+            .shadow_ms_median
+            .filter(|ms| ms.is_finite() && *ms > 0.0)?,
         // As the summary has it, to the last digit.
         shadow_ms_range: p05(&shadow_ms).zip(row.shadow_ms_p95),
         wrong_px: wrong_px / f64::from(counts.verified_frames),

@@ -36,8 +36,13 @@ pub(super) fn figures(run: &Run, clouds: &[Cloud]) -> Vec<Figure> {
             let Some(chart) = chart(cloud, &curves, parameter) else {
                 continue;
             };
+            let mut name = format!("{PREFIX}{}_{}", file_safe(parameter), file_safe(scene));
+            // Scenes may differ only in what a file name cannot hold.
+            while figures.iter().any(|other| other.name == name) {
+                name.push('-');
+            }
             figures.push(Figure {
-                name: format!("{PREFIX}{}_{}", file_safe(parameter), file_safe(scene)),
+                name,
                 title: format!("Wrong pixels by {parameter}, {}", run.scene_title(scene)),
                 chart: Chart::Lines(chart),
             });
