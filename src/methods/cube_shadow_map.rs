@@ -2,7 +2,8 @@
 //! of a cube (Greene 1986 for the projection), looked up once a pixel. For a light among the casters, where
 //! Milet et al. 2014 had no shadow map to compare with.
 
-use super::light_depth::{self, DepthMap, Lookup, MapKind, MapParameters};
+use super::depth_map::{self, DepthMap, MapKind, MapParameters};
+use super::light_depth::{self, Lookup};
 use super::{MethodError, MethodInfo, PrepareContext, PreparedMethod, Texels};
 use crate::frame::Stage;
 use crate::frame::fullscreen::bind_group;
@@ -36,7 +37,7 @@ pub(super) static INFO: MethodInfo = MethodInfo {
                 "depth bias in units of the last bit of the distance, at least 0",
             ),
         ],
-        light_depth::PARAMETERS,
+        depth_map::PARAMETERS,
     ],
 };
 

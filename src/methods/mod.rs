@@ -5,6 +5,7 @@
 //! [`PreparedMethod`] is that method made ready for one scene on one device.
 
 mod cube_shadow_map;
+mod depth_map;
 mod frustum;
 mod light_depth;
 pub mod parameters;
@@ -15,6 +16,7 @@ mod silhouette_gs;
 mod silhouette_ts;
 mod triangle_gs;
 mod triangle_ts;
+mod volume_parameters;
 mod volumes;
 
 pub use parameters::ParameterError;

@@ -2,8 +2,9 @@
 //! infinity, parallel) view, looked up once a pixel (Williams 1978; in Milet et al. 2014 the
 //! method that silhouettes are compared with in table 3).
 
+use super::depth_map::{self, DepthMap, MapKind, MapParameters};
 use super::frustum::LightFrustum;
-use super::light_depth::{self, DepthMap, Lookup, MapKind, MapParameters};
+use super::light_depth::{self, Lookup};
 use super::{MethodError, MethodInfo, PrepareContext, PreparedMethod, Texels};
 use crate::frame::Stage;
 use crate::frame::fullscreen::bind_group;
@@ -34,7 +35,7 @@ pub(super) static INFO: MethodInfo = MethodInfo {
                 "depth bias in units of the depth buffer's last bit, at least 0",
             ),
         ],
-        light_depth::PARAMETERS,
+        depth_map::PARAMETERS,
     ],
 };
 

@@ -2,7 +2,8 @@
 
 use super::MethodInfo;
 use super::silhouette::{INPUT_PARAMETER, SideStage, Silhouette};
-use super::volumes::{self, COUNTER_LIMIT, NONE_LIMIT, STENCIL, Z_PASS_LIMIT};
+use super::volume_parameters;
+use super::volumes::{COUNTER_LIMIT, NONE_LIMIT, STENCIL, Z_PASS_LIMIT};
 use crate::gpu::Requirement;
 use crate::gpu::native::PrimitiveTopology;
 use crate::gpu::shader::{self, Spirv};
@@ -19,7 +20,7 @@ pub(super) static INFO: MethodInfo = MethodInfo {
     ],
     limits: &[COUNTER_LIMIT, Z_PASS_LIMIT, NONE_LIMIT],
     parameters: &[
-        volumes::PARAMETERS,
+        volume_parameters::PARAMETERS,
         &[
             INPUT_PARAMETER,
             (

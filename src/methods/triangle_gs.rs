@@ -2,9 +2,8 @@
 //! compared with in Milet et al. 2014, table 4.
 
 use super::parameters::Parameters;
-use super::volumes::{
-    self, COUNTER_LIMIT, NONE_LIMIT, STENCIL, StencilVolumes, VolumeParameters, Z_PASS_LIMIT,
-};
+use super::volume_parameters::{self, VolumeParameters};
+use super::volumes::{self, COUNTER_LIMIT, NONE_LIMIT, STENCIL, StencilVolumes, Z_PASS_LIMIT};
 use super::{MethodError, MethodInfo, PrepareContext, PreparedMethod, ShadowMethod};
 use crate::frame::DepthSetup;
 use crate::gpu::Requirement;
@@ -19,7 +18,7 @@ pub(super) static INFO: MethodInfo = MethodInfo {
     source: "Milet, Kobrtek, Zemčík, Pečiva 2014, section 3 (after Stich et al. 2007)",
     needs: &[Requirement::GeometryStage, STENCIL],
     limits: &[COUNTER_LIMIT, Z_PASS_LIMIT, NONE_LIMIT],
-    parameters: &[volumes::PARAMETERS],
+    parameters: &[volume_parameters::PARAMETERS],
 };
 
 /// The method's parameters.

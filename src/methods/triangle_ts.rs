@@ -1,9 +1,9 @@
 //! A shadow volume of every triangle, in tessellation shaders (Milet et al. 2014, section 2.1).
 
 use super::parameters::{Parameters, in_range};
+use super::volume_parameters::{self, FrontCap, VolumeParameters};
 use super::volumes::{
-    self, COUNTER_LIMIT, Faces, FrontCap, NONE_LIMIT, STENCIL, StencilVolumes, VolumeParameters,
-    Z_PASS_LIMIT,
+    self, COUNTER_LIMIT, Faces, NONE_LIMIT, STENCIL, StencilVolumes, Z_PASS_LIMIT,
 };
 use super::{MethodError, MethodInfo, PrepareContext, PreparedMethod, ShadowMethod};
 use crate::frame::DepthSetup;
@@ -33,7 +33,7 @@ pub(super) static INFO: MethodInfo = MethodInfo {
             "2: sides and back cap, then front cap (algorithm 1); 1: a quad twisted into the whole \
              volume (figure 3)",
         )],
-        volumes::PARAMETERS,
+        volume_parameters::PARAMETERS,
     ],
 };
 

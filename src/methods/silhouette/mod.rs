@@ -6,7 +6,8 @@
 mod edges;
 
 use super::parameters::{Parameters, in_range};
-use super::volumes::{self, Faces, StencilVolumes, VolumeParameters};
+use super::volume_parameters::VolumeParameters;
+use super::volumes::{self, Faces, StencilVolumes};
 use super::{MethodError, MethodInfo, PrepareContext, PreparedMethod, ShadowMethod};
 use crate::frame::DepthSetup;
 use crate::gpu::Gpu;

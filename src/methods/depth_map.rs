@@ -1,0 +1,184 @@
+//! A method that looks a shadow map up: the parameters of both kinds, and what they have in common.
+
+use super::parameters::{Parameters, in_range};
+use super::{
+    BiasSearch, MethodError, MethodInfo, Parameter, PrepareContext, PreparedMethod, ShadowMethod,
+};
+use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
+use std::fmt;
+use std::marker::PhantomData;
+
+/// See [`super::MethodInfo::parameters`]; each kind of map has its own resolution and constant bias.
+pub(super) const PARAMETERS: &[Parameter] = &[
+    (
+        "slope_bias",
+        "2.0",
+        "depth bias in texels times the slope of the surface, at least 0; search: in a run, the smallest \
+         without acne",
+    ),
+    (
+        "pcf",
+        "1",
+        "side of the square of texels whose answers are averaged: 1, 3, 5, ... 15",
+    ),
+];
+
+/// Largest square of percentage-closer filtering.
+const MOST_PCF: u32 = 15;
+
+/// The bias by the slope of a surface, in texels.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum SlopeBias {
+    /// So much.
+    Fixed(f64),
+    /// The smallest without acne, which somebody has to find first.
+    Search,
+}
+
+/// The word for [`SlopeBias::Search`].
+const SEARCH: &str = "search";
+
+impl Serialize for SlopeBias {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self {
+            Self::Fixed(texels) => serializer.serialize_f64(*texels),
+            Self::Search => serializer.serialize_str(SEARCH),
+        }
+    }
+}
+
+impl<'de> Deserialize<'de> for SlopeBias {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Visitor;
+        impl de::Visitor<'_> for Visitor {
+            type Value = SlopeBias;
+
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                write!(f, "a number of texels or \"{SEARCH}\"")
+            }
+
+            fn visit_f64<E: de::Error>(self, texels: f64) -> Result<SlopeBias, E> {
+                Ok(SlopeBias::Fixed(texels))
+            }
+
+            fn visit_i64<E: de::Error>(self, texels: i64) -> Result<SlopeBias, E> {
+                Ok(SlopeBias::Fixed(texels as f64))
+            }
+
+            fn visit_str<E: de::Error>(self, word: &str) -> Result<SlopeBias, E> {
+                match word {
+                    SEARCH => Ok(SlopeBias::Search),
+                    _ => Err(E::invalid_value(de::Unexpected::Str(word), &self)),
+                }
+            }
+        }
+        deserializer.deserialize_any(Visitor)
+    }
+}
+
+/// A kind of shadow map.
+pub(super) trait MapKind: Clone + 'static {
+    /// The method that draws it.
+    fn info() -> &'static MethodInfo;
+    /// Side of the map unless told otherwise.
+    const RESOLUTION: u32;
+    /// Constant bias unless told otherwise.
+    const CONSTANT_BIAS: i32;
+    /// Makes it ready for a scene.
+    fn prepare(
+        context: &PrepareContext<'_>,
+        map: &MapParameters,
+    ) -> Result<Box<dyn PreparedMethod>, MethodError>;
+}
+
+/// What a map is made with.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct MapParameters {
+    /// Side in texels.
+    pub resolution: u32,
+    /// Bias in units of the last bit.
+    pub constant_bias: i32,
+    /// Bias in texels, by the slope.
+    pub slope_bias: f32,
+    /// Side of the square that is averaged.
+    pub pcf: u32,
+}
+
+/// A method that looks a map up; the two differ in the map, nothing else.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+#[serde(default, bound = "")]
+pub(super) struct DepthMap<K: MapKind> {
+    resolution: u32,
+    constant_bias: i32,
+    slope_bias: SlopeBias,
+    pcf: u32,
+    #[serde(skip)]
+    kind: PhantomData<K>,
+}
+
+impl<K: MapKind> Default for DepthMap<K> {
+    fn default() -> Self {
+        Self {
+            resolution: K::RESOLUTION,
+            constant_bias: K::CONSTANT_BIAS,
+            slope_bias: SlopeBias::Fixed(2.0),
+            pcf: 1,
+            kind: PhantomData,
+        }
+    }
+}
+
+impl<K: MapKind> Parameters for DepthMap<K> {
+    fn validate(&self) -> Result<(), String> {
+        in_range("resolution", self.resolution, 1..=1 << 16)?;
+        in_range("constant_bias", self.constant_bias, 0..=i32::MAX)?;
+        if let SlopeBias::Fixed(texels) = self.slope_bias {
+            in_range("slope_bias", texels, 0.0..=1e6)?;
+        }
+        in_range("pcf", self.pcf, 1..=MOST_PCF)?;
+        if self.pcf.is_multiple_of(2) {
+            return Err(format!("`pcf` is {}; it must be odd", self.pcf));
+        }
+        Ok(())
+    }
+}
+
+impl<K: MapKind> ShadowMethod for DepthMap<K> {
+    fn info(&self) -> &'static MethodInfo {
+        K::info()
+    }
+
+    fn variant(&self) -> String {
+        self.difference()
+    }
+
+    fn bias_search(&self) -> Option<BiasSearch<'_>> {
+        (self.slope_bias == SlopeBias::Search).then(|| BiasSearch {
+            resolution: self.resolution,
+            with_bias: Box::new(|texels| {
+                Box::new(Self {
+                    slope_bias: SlopeBias::Fixed(texels),
+                    ..self.clone()
+                })
+            }),
+        })
+    }
+
+    fn prepare(
+        &self,
+        context: &PrepareContext<'_>,
+    ) -> Result<Box<dyn PreparedMethod>, MethodError> {
+        let SlopeBias::Fixed(slope_bias) = self.slope_bias else {
+            let reason =
+                "slope_bias=search is for runs, which find the bias first: give a number here";
+            return Err(MethodError::Parameter(reason.to_owned()));
+        };
+        let map = MapParameters {
+            resolution: self.resolution,
+            constant_bias: self.constant_bias,
+            slope_bias: slope_bias as f32,
+            pcf: self.pcf,
+        };
+        K::prepare(context, &map)
+    }
+}
