@@ -4,7 +4,7 @@
 
 mod common;
 
-use common::{device, scene_over_ground};
+use common::{device, scene_over_ground, view};
 use glam::{Vec3, Vec4};
 use std::path::Path;
 use svbench::bench::Verifier;
@@ -28,16 +28,6 @@ const TRIANGLES: [&str; 3] = ["triangle_ts", "triangle_ts,passes=1", "triangle_g
 
 fn volume_methods() -> impl Iterator<Item = &'static str> {
     SILHOUETTES.into_iter().chain(TRIANGLES)
-}
-
-fn view() -> View {
-    View {
-        eye: Vec3::new(5.0, 6.0, 9.0),
-        target: Vec3::new(0.0, 0.5, 0.0),
-        up: Vec3::Y,
-        fov_y_rad: 50f32.to_radians(),
-        near: 0.1,
-    }
 }
 
 /// One frame of a method.

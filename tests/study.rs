@@ -4,7 +4,7 @@
 
 mod common;
 
-use common::{device, scene_over_ground};
+use common::{device, scene_over_ground, view};
 use glam::{Vec3, Vec4};
 use std::path::Path;
 use svbench::bench::Verifier;
@@ -59,16 +59,6 @@ fn builtin(name: &str) -> Scene {
         _ => plan.file,
     };
     file.load(&plan.search).unwrap()
-}
-
-fn view() -> View {
-    View {
-        eye: Vec3::new(5.0, 6.0, 9.0),
-        target: Vec3::new(0.0, 0.5, 0.0),
-        up: Vec3::Y,
-        fov_y_rad: 50f32.to_radians(),
-        near: 0.1,
-    }
 }
 
 #[test]

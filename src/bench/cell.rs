@@ -2,8 +2,7 @@
 
 use super::measure::Measured;
 use super::record::{
-    Cell, FrameError, MethodRecord, Sample, Status, Summary, SweepRecord, counts_to_text,
-    stages_to_text,
+    Cell, FrameError, MethodRecord, Sample, Status, Summary, SweepRecord, pairs_to_text,
 };
 use crate::config::MethodPlan;
 use crate::frame::{GBUFFER_STAGE, SHADE_STAGE};
@@ -71,7 +70,7 @@ impl<'a> CellRun<'a> {
                 triangles: Some(scene.mesh.caster_triangle_count() as u64),
                 objects: Some(scene.mesh.caster_object_count() as u64),
                 counters: match &state {
-                    State::Ready(prepared) => counts_to_text(prepared.counters()),
+                    State::Ready(prepared) => pairs_to_text(prepared.counters()),
                     State::Not(..) => String::new(),
                 },
                 ..name_cell(&scene.name, plan.method.as_ref(), size_px)
@@ -118,17 +117,17 @@ impl<'a> CellRun<'a> {
             cpu_ms: times.cpu_ms,
             record_ms: times.record_ms,
             draw_calls: times.draw_calls,
-            stages: stages_to_text(own),
+            stages: pairs_to_text(own),
         }
     }
 
-    /// Takes a measured frame in.
-    pub(super) fn keep(&mut self, measured: &Measured) {
+    /// Takes a measured frame and its row in.
+    pub(super) fn keep(&mut self, measured: &Measured, sample: Sample) {
         if self.stages.is_empty() {
             let names = measured.times.stages.iter().map(|(name, _)| *name);
             self.stages = names.map(str::to_owned).collect();
         }
-        self.samples.push(self.sample(measured));
+        self.samples.push(sample);
     }
 
     pub(super) fn method_record(&self) -> MethodRecord {

@@ -249,14 +249,14 @@ fn measure_cells(
         schedule,
         request.observer,
         |measured| {
-            let cell = &cells[ready[measured.method]];
-            dir.append_sample(&cell.sample(&measured))?;
-            kept.push(measured);
+            let sample = cells[ready[measured.method]].sample(&measured);
+            dir.append_sample(&sample)?;
+            kept.push((measured, sample));
             Ok(())
         },
     )?;
-    for measured in &kept {
-        cells[ready[measured.method]].keep(measured);
+    for (measured, sample) in kept {
+        cells[ready[measured.method]].keep(&measured, sample);
     }
     Ok(())
 }

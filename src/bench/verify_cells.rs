@@ -1,7 +1,7 @@
 //! Verifying the cells of a scene: every method against the truth, in some frames of the flight.
 
 use super::cell::CellRun;
-use super::record::{Cell, FrameError, ImageKind, RegionRow, counts_to_text};
+use super::record::{Cell, FrameError, ImageKind, RegionRow, pairs_to_text};
 use super::run_dir::RunDir;
 use super::verify::{Judgement, Truth, flicker};
 use super::{RunRequest, Verifier};
@@ -178,11 +178,11 @@ fn frame_error(cell: &Cell, judgement: &Judgement) -> FrameError {
         artifact_px: error.artifact_px,
         ambiguous_px: error.ambiguous_px,
         compared_px: error.compared_px,
-        distances: counts_to_text(distances.classes()),
+        distances: pairs_to_text(distances.classes()),
         distance_px_max: distances.max_px,
         regions: analysis.regions.len() as u64,
         largest_region_px: analysis.regions.first().map_or(0, |region| region.size_px),
-        labels: counts_to_text(analysis.label_counts()),
+        labels: pairs_to_text(analysis.label_counts()),
         ..FrameError::default()
     }
 }

@@ -48,7 +48,7 @@ pub struct FrameView {
     pub view_projection: Mat4,
     /// See [`crate::scene::Scene::light`].
     pub light: Vec4,
-    /// The plane on which shadow volumes may end, see [`end_plane`].
+    /// The plane on which shadow volumes may end, see [`end_plane`](fn@end_plane).
     pub end_plane: Vec4,
     near_corners: [DVec3; 4],
 }

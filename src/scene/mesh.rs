@@ -111,7 +111,7 @@ impl Mesh {
 /// The position moved to the nearest multiple of 2⁻⁴⁰ in each coordinate, with -0 replaced by +0.
 ///
 /// Coordinates of magnitude 2⁻¹⁷ and more are such multiples anyway. Equal positions then have equal
-/// bits, and no arithmetic on them that [`crate::geometry::facing`] does meets a denormal number.
+/// bits, and no arithmetic on them that [`facing`](fn@crate::geometry::facing) does meets a denormal number.
 pub fn canonical(position: Vec3) -> Vec3 {
     Vec3::from_array(position.to_array().map(canonical_number))
 }

@@ -45,6 +45,17 @@ impl Drop for Device {
     }
 }
 
+/// Down upon the ground around the origin.
+pub(crate) fn view() -> View {
+    View {
+        eye: Vec3::new(5.0, 6.0, 9.0),
+        target: Vec3::new(0.0, 0.5, 0.0),
+        up: Vec3::Y,
+        fov_y_rad: 50f32.to_radians(),
+        near: 0.1,
+    }
+}
+
 /// A scene made of triangles that all cast, in one object, over a ground that only receives.
 pub(crate) fn scene_over_ground(
     triangles: &[[Vec3; 3]],

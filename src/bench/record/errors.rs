@@ -31,7 +31,7 @@ pub struct FrameError {
     pub ambiguous_px: u64,
     /// Held against the reference, background included.
     pub compared_px: u64,
-    /// Wrong pixels by their distance from the true shadow boundary, as [`counts_to_text`] writes them:
+    /// Wrong pixels by their distance from the true shadow boundary, as [`pairs_to_text`](super::pairs_to_text) writes them:
     /// `1=30;2=12;4=5;...;more=0`, each name the largest distance in pixels of its class.
     pub distances: String,
     /// Distance of the farthest wrong pixel; empty where nothing is wrong, or the picture has no boundary.
@@ -40,7 +40,7 @@ pub struct FrameError {
     pub regions: u64,
     /// Pixels of the largest of them.
     pub largest_region_px: u64,
-    /// Wrong pixels by the kind of error, as [`counts_to_text`] writes them: `acne=120;unlabelled=3`.
+    /// Wrong pixels by the kind of error, as [`pairs_to_text`](super::pairs_to_text) writes them: `acne=120;unlabelled=3`.
     pub labels: String,
     /// Surface points that the next frame shows too, whose truth is the same there.
     pub followed_px: Option<u64>,
@@ -100,47 +100,4 @@ pub struct BiasRow {
     pub detached_px: f64,
     /// How many biases were tried.
     pub tried: u32,
-}
-
-/// Writes counts by name as a field: `edges=48600;edge_records=48600`.
-pub fn counts_to_text<'a>(counts: impl IntoIterator<Item = (&'a str, u64)>) -> String {
-    let parts: Vec<String> = counts
-        .into_iter()
-        .map(|(name, count)| format!("{name}={count}"))
-        .collect();
-    parts.join(";")
-}
-
-/// Reads such a field back; a part that is not `name=count` is left out.
-pub fn counts_from_text(text: &str) -> Vec<(&str, u64)> {
-    text.split(';')
-        .filter_map(|part| part.rsplit_once('='))
-        .filter_map(|(name, count)| Some((name, count.parse().ok()?)))
-        .collect()
-}
-
-/// The sum of such fields, names in the order in which they come.
-pub fn sum_of_counts<'a>(texts: impl IntoIterator<Item = &'a str>) -> String {
-    let mut sums: Vec<(&str, u64)> = Vec::new();
-    for (name, count) in texts.into_iter().flat_map(counts_from_text) {
-        match sums.iter_mut().find(|(known, _)| *known == name) {
-            Some((_, sum)) => *sum += count,
-            None => sums.push((name, count)),
-        }
-    }
-    counts_to_text(sums)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn counts_survive_the_way_through_text_and_add_up() {
-        let text = counts_to_text([("1", 30), ("more", 2)]);
-        assert_eq!(text, "1=30;more=2");
-        assert_eq!(counts_from_text(&text), [("1", 30), ("more", 2)]);
-        assert_eq!(counts_from_text("broken;half=;whole=1"), [("whole", 1)]);
-        assert_eq!(sum_of_counts([&*text, "", "2=1;more=3"]), "1=30;more=5;2=1");
-    }
 }

@@ -17,15 +17,17 @@
 mod errors;
 mod images;
 mod info;
+mod pairs;
 mod rows;
 
-pub use errors::{BiasRow, FrameError, RegionRow, counts_from_text, counts_to_text, sum_of_counts};
+pub use errors::{BiasRow, FrameError, RegionRow};
 pub use images::{ImageKind, file_safe, image_name};
 pub use info::{
     DeviceRecord, EdgeRecord, HostRecord, MethodRecord, RunInfo, RunStatus, SceneRecord, Status,
     SweepRecord,
 };
-pub use rows::{Cell, Sample, Summary, stages_from_text, stages_to_text};
+pub use pairs::{pairs_from_text, pairs_to_text, sum_of_counts};
+pub use rows::{Cell, Sample, Summary};
 
 /// Version of the run directory's layout; raised when an older reader would misread a newer run.
 pub const FORMAT: u32 = 1;

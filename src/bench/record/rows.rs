@@ -2,8 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::errors::sum_of_counts;
-use super::{FrameError, Status};
+use super::{FrameError, Status, sum_of_counts};
 use crate::bench::statistics::{mean, median, p95};
 
 /// One measured frame: a row of `samples.csv`.
@@ -45,25 +44,8 @@ pub struct Sample {
     /// Draw calls of the frame; 0 in runs from before they were counted.
     #[serde(default)]
     pub draw_calls: u32,
-    /// The method's stages in milliseconds, as [`stages_to_text`] writes them.
+    /// The method's stages in milliseconds, as [`pairs_to_text`](super::pairs_to_text) writes them.
     pub stages: String,
-}
-
-/// Writes stage times as a row's `stages` field: `volumes=12.3;resolve=0.4`.
-pub fn stages_to_text<'a>(stages: impl IntoIterator<Item = (&'a str, f64)>) -> String {
-    let parts: Vec<String> = stages
-        .into_iter()
-        .map(|(name, stage_ms)| format!("{name}={stage_ms}"))
-        .collect();
-    parts.join(";")
-}
-
-/// Reads a row's `stages` field back; a part that is not `name=number` is left out.
-pub fn stages_from_text(text: &str) -> Vec<(&str, f64)> {
-    text.split(';')
-        .filter_map(|part| part.rsplit_once('='))
-        .filter_map(|(name, stage_ms)| Some((name, stage_ms.parse().ok()?)))
-        .collect()
 }
 
 /// One point of a run's matrix, measured or not.
@@ -303,17 +285,5 @@ mod tests {
             .unwrap()
             .unwrap();
         assert_eq!(back, summary);
-    }
-
-    #[test]
-    fn stages_survive_the_way_through_text() {
-        let text = stages_to_text([("volumes", 12.3), ("resolve", 0.4)]);
-        assert_eq!(text, "volumes=12.3;resolve=0.4");
-        assert_eq!(
-            stages_from_text(&text),
-            [("volumes", 12.3), ("resolve", 0.4)]
-        );
-        assert_eq!(stages_from_text(""), []);
-        assert_eq!(stages_from_text("broken;half=;whole=1"), [("whole", 1.0)]);
     }
 }

@@ -3,7 +3,7 @@
 use maud::{Markup, html};
 
 use super::or_dash;
-use crate::bench::record::{RegionRow, Summary, counts_from_text};
+use crate::bench::record::{RegionRow, Summary, pairs_from_text};
 use crate::report::format::{count, px_per_frame};
 use crate::report::load::Run;
 
@@ -135,7 +135,7 @@ fn px_per_million(px: u64, of_px: u64) -> String {
 
 /// The share of wrong pixels within each of [`CLASSES_PX`]; `None` where none has a distance.
 fn shares(distances: &str) -> Option<[f64; CLASSES_PX.len()]> {
-    let classes = counts_from_text(distances);
+    let classes = pairs_from_text::<u64>(distances);
     let all: u64 = classes.iter().map(|(_, px)| px).sum();
     // The class `more` has no upper end, and so is within none.
     let within = |limit: f64| {
@@ -173,7 +173,7 @@ fn bar(shares: Option<[f64; CLASSES_PX.len()]>) -> Markup {
 
 /// The kinds of error by their pixels, the most first; `None` where nothing was labelled.
 fn kinds(row: &Summary) -> Option<String> {
-    let mut kinds = counts_from_text(&row.labels);
+    let mut kinds = pairs_from_text::<u64>(&row.labels);
     kinds.retain(|(_, px)| *px > 0);
     kinds.sort_by_key(|(_, px)| std::cmp::Reverse(*px));
     let text =

@@ -3,7 +3,7 @@
 use maud::{Markup, html};
 
 use super::or_dash;
-use crate::bench::record::{Status, Summary, stages_from_text};
+use crate::bench::record::{Status, Summary, pairs_from_text};
 use crate::bench::statistics::median;
 use crate::report::format::{count, fps, ms, px_per_frame};
 use crate::report::load::Run;
@@ -185,7 +185,7 @@ fn stage_times(run: &Run) -> Markup {
 fn stage_medians(run: &Run, row: &Summary) -> Vec<(String, f64)> {
     let mut stages: Vec<(String, Vec<f64>)> = Vec::new();
     for sample in run.samples_of(row) {
-        for (name, stage_ms) in stages_from_text(&sample.stages) {
+        for (name, stage_ms) in pairs_from_text::<f64>(&sample.stages) {
             match stages.iter_mut().find(|(known, _)| known == name) {
                 Some((_, all)) => all.push(stage_ms),
                 None => stages.push((name.to_owned(), vec![stage_ms])),
