@@ -12,6 +12,7 @@ pub mod frame;
 pub mod methods;
 pub mod metrics;
 pub mod reference;
+pub mod stress;
 
 pub mod geometry;
 pub mod scene;

@@ -8,7 +8,7 @@ use super::verify::Truth;
 use super::verify_cells::verify_cells;
 use super::{RunRequest, Verifier, bias_search};
 use crate::config::{MethodPlan, ScenePlan};
-use crate::frame::{DepthSetup, Stage};
+use crate::frame::Stage;
 use crate::methods::{BiasSearch, MethodError, PrepareContext, PreparedMethod};
 use crate::scene::{Scene, SceneError};
 use std::rc::Rc;
@@ -81,7 +81,12 @@ fn run_loaded(
     scene: &Scene,
     dir: &mut RunDir,
 ) -> anyhow::Result<SceneOutcome> {
-    let stages = stages(request, scene);
+    let setups = request
+        .plan
+        .methods
+        .iter()
+        .map(|plan| plan.method.depth_setup());
+    let stages = Stage::for_setups(request.gpu, scene, request.plan.size_px, setups);
     let context = PrepareContext::new(request.gpu, scene, &stages[0]);
     let methods = &request.plan.methods;
     let verified = request.plan.verified_frames() > 0;
@@ -139,22 +144,6 @@ fn run_loaded(
         summaries: cells.iter().map(|run| run.summary(verified)).collect(),
         warnings: warnings(scene, &cells),
     })
-}
-
-/// A stage for each setup of the depth buffer that a method asks for and the device can draw with; the
-/// first is the usual one.
-fn stages(request: &RunRequest<'_>, scene: &Scene) -> Vec<Stage> {
-    let (width, height) = request.plan.size_px;
-    let mut stages = vec![Stage::new(request.gpu, scene, width, height)];
-    for plan in &request.plan.methods {
-        let setup: DepthSetup = plan.method.depth_setup();
-        let is_known = stages.iter().any(|stage| stage.depth == setup);
-        if !is_known && setup.check(request.gpu).is_ok() {
-            let stage = stages[0].with_depth(request.gpu, setup);
-            stages.push(stage);
-        }
-    }
-    stages
 }
 
 /// Makes a method ready; `find` searches for its bias, if it asks for that.

@@ -126,10 +126,7 @@ impl<'a> Verifier<'a> {
     /// When the device is lost.
     pub fn draw_mask(&self, method: &dyn PreparedMethod, truth: &Truth) -> anyhow::Result<Vec<u8>> {
         self.stage.set_view(self.gpu, &truth.camera, self.light);
-        let mut frame = FrameRecorder::untimed(self.gpu);
-        self.stage.record(&mut frame, method);
-        frame.submit();
-        readback::read_texture(self.gpu, &self.stage.targets.mask)
+        self.stage.draw_mask(self.gpu, method)
     }
 
     /// RGBA of the frame drawn last.

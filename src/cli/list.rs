@@ -164,7 +164,7 @@ fn text(listing: &Listing) -> String {
         };
         line(4, &format!("needs: {needs}"));
         for limit in info.limits {
-            line(4, &format!("limit: {limit}"));
+            line(4, &format!("limit: {}", limit.text));
         }
         for (name, default, meaning) in info.parameters.concat() {
             line(4, &format!("parameter: {name} = {default}  ({meaning})"));

@@ -26,7 +26,7 @@ pub use targets::Targets;
 pub use uniform::FrameUniform;
 pub use view::{FrameView, SceneExtents};
 
-use crate::gpu::{FrameRecorder, Gpu};
+use crate::gpu::{FrameRecorder, Gpu, readback};
 use crate::methods::PreparedMethod;
 use crate::scene::{Scene, View};
 use std::cell::Cell;
@@ -67,6 +67,25 @@ impl Stage {
             (width, height),
             DepthSetup::default(),
         )
+    }
+
+    /// A stage for each of the setups that the device can draw with (see [`DepthSetup::check`]), each once;
+    /// the first is the usual one.
+    pub fn for_setups(
+        gpu: &Gpu,
+        scene: &Scene,
+        (width, height): (u32, u32),
+        setups: impl IntoIterator<Item = DepthSetup>,
+    ) -> Vec<Self> {
+        let mut stages = vec![Self::new(gpu, scene, width, height)];
+        for setup in setups {
+            let is_known = stages.iter().any(|stage| stage.depth == setup);
+            if !is_known && setup.check(gpu).is_ok() {
+                let stage = stages[0].with_depth(gpu, setup);
+                stages.push(stage);
+            }
+        }
+        stages
     }
 
     /// The same scene and size with another depth buffer, which the device can draw with (see
@@ -128,6 +147,17 @@ impl Stage {
         self.record_gbuffer(frame);
         method.record(frame, self);
         self.record_shade(frame);
+    }
+
+    /// Draws a frame with `method` and reads the mask: 0 lit to 255 in shadow.
+    ///
+    /// # Errors
+    /// When the device is lost.
+    pub fn draw_mask(&self, gpu: &Gpu, method: &dyn PreparedMethod) -> anyhow::Result<Vec<u8>> {
+        let mut frame = FrameRecorder::untimed(gpu);
+        self.record(&mut frame, method);
+        frame.submit();
+        readback::read_texture(gpu, &self.targets.mask)
     }
 
     /// Records the last stage alone: shades with the mask as it is.

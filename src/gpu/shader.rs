@@ -4,7 +4,8 @@
 //! that file, once per shader.
 
 use include_dir::{Dir, include_dir};
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, HashMap};
+use std::sync::{LazyLock, Mutex, PoisonError};
 
 static SHADERS: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/shaders");
 
@@ -105,6 +106,10 @@ pub struct Spirv {
     pub words: Vec<u32>,
 }
 
+/// What was compiled before, by path and definitions: the same few shaders serve every scene.
+static COMPILED: LazyLock<Mutex<HashMap<(String, String), Vec<u32>>>> =
+    LazyLock::new(Mutex::default);
+
 /// Compiles the GLSL file at `path` (its ending names the stage) with `defines` set before it.
 ///
 /// # Panics
@@ -113,17 +118,28 @@ pub fn glsl(path: &str, defines: &[(&str, u32)]) -> Spirv {
     let Some(stage) = GlslStage::of_path(path) else {
         panic!("`{path}` names no shader stage")
     };
-    let words = compile(stage, path, defines);
-    match words {
-        Ok(words) => Spirv { stage, words },
-        Err(error) => panic!("{path} does not compile:\n{error}"),
+    let defines: String = defines
+        .iter()
+        .map(|(name, value)| format!("#define {name} {value}\n"))
+        .collect();
+    let key = (path.to_owned(), defines);
+    let mut compiled = COMPILED.lock().unwrap_or_else(PoisonError::into_inner);
+    let words = compiled.entry(key).or_insert_with_key(|(_, defines)| {
+        match compile(stage, path, defines) {
+            Ok(words) => words,
+            Err(error) => panic!("{path} does not compile:\n{error}"),
+        }
+    });
+    Spirv {
+        stage,
+        words: words.clone(),
     }
 }
 
 fn compile(
     stage: GlslStage,
     path: &str,
-    defines: &[(&str, u32)],
+    defines: &str,
 ) -> Result<Vec<u32>, Box<dyn std::error::Error>> {
     use glslang::{
         Compiler, CompilerOptions, Shader, ShaderInput, ShaderSource, ShaderStage, SourceLanguage,
@@ -137,14 +153,7 @@ fn compile(
         GlslStage::Fragment => ShaderStage::Fragment,
     };
     let compiler = Compiler::acquire().ok_or("the GLSL compiler could not be started")?;
-    let text: String = std::iter::once("#version 450\n".to_owned())
-        .chain(
-            defines
-                .iter()
-                .map(|(name, value)| format!("#define {name} {value}\n")),
-        )
-        .chain([source(path)])
-        .collect();
+    let text = format!("#version 450\n{defines}{}", source(path));
     let options = CompilerOptions {
         source_language: SourceLanguage::GLSL,
         target: Target::Vulkan {

@@ -4,7 +4,7 @@
 
 use super::depth_map::{self, DepthMap, MapKind, MapParameters};
 use super::light_depth::{self, Lookup};
-use super::{MethodError, MethodInfo, PrepareContext, PreparedMethod, Texels};
+use super::{Limit, MethodError, MethodInfo, PrepareContext, PreparedMethod, Texels};
 use crate::frame::Stage;
 use crate::frame::fullscreen::bind_group;
 use crate::geometry::Bounds;
@@ -21,8 +21,10 @@ pub(super) static INFO: MethodInfo = MethodInfo {
     source: "Greene 1986, Williams 1978; beyond Milet et al. 2014, who had none",
     needs: &[],
     limits: &[
-        "edges are as coarse as the map's texels; acne and detached shadows trade off by bias",
-        "needs a light at a point",
+        Limit::in_words(
+            "edges are as coarse as the map's texels; acne and detached shadows trade off by bias",
+        ),
+        Limit::in_words("needs a light at a point"),
     ],
     parameters: &[
         &[

@@ -8,6 +8,7 @@ mod cube_shadow_map;
 mod depth_map;
 mod frustum;
 mod light_depth;
+mod limit;
 pub mod parameters;
 pub mod registry;
 mod shadow_map;
@@ -19,6 +20,7 @@ mod triangle_ts;
 mod volume_parameters;
 mod volumes;
 
+pub use limit::Limit;
 pub use parameters::ParameterError;
 pub use registry::{REGISTRY, Registration, find};
 
@@ -46,7 +48,7 @@ pub struct MethodInfo {
     /// What it needs of the device.
     pub needs: &'static [Requirement],
     /// What it cannot do or gets wrong, by design.
-    pub limits: &'static [&'static str],
+    pub limits: &'static [Limit],
     /// Its parameters, those that it shares with others and its own.
     #[serde(serialize_with = "in_one_list")]
     pub parameters: &'static [&'static [Parameter]],

@@ -5,7 +5,7 @@
 use super::depth_map::{self, DepthMap, MapKind, MapParameters};
 use super::frustum::LightFrustum;
 use super::light_depth::{self, Lookup};
-use super::{MethodError, MethodInfo, PrepareContext, PreparedMethod, Texels};
+use super::{Limit, MethodError, MethodInfo, PrepareContext, PreparedMethod, Texels};
 use crate::frame::Stage;
 use crate::frame::fullscreen::bind_group;
 use crate::gpu::FrameRecorder;
@@ -19,8 +19,12 @@ pub(super) static INFO: MethodInfo = MethodInfo {
     source: "Williams 1978; Milet et al. 2014, table 3",
     needs: &[],
     limits: &[
-        "edges are as coarse as the map's texels; acne and detached shadows trade off by bias",
-        "a light among the casters: what its widest frustum (150 degrees) leaves out is lit",
+        Limit::in_words(
+            "edges are as coarse as the map's texels; acne and detached shadows trade off by bias",
+        ),
+        Limit::in_words(
+            "a light among the casters: what its widest frustum (150 degrees) leaves out is lit",
+        ),
     ],
     parameters: &[
         &[

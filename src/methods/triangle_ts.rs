@@ -5,7 +5,7 @@ use super::volume_parameters::{self, FrontCap, VolumeParameters};
 use super::volumes::{
     self, COUNTER_LIMIT, Faces, NONE_LIMIT, STENCIL, StencilVolumes, Z_PASS_LIMIT,
 };
-use super::{MethodError, MethodInfo, PrepareContext, PreparedMethod, ShadowMethod};
+use super::{Limit, MethodError, MethodInfo, PrepareContext, PreparedMethod, ShadowMethod};
 use crate::frame::DepthSetup;
 use crate::gpu::Requirement;
 use crate::gpu::native::PrimitiveTopology;
@@ -22,9 +22,13 @@ pub(super) static INFO: MethodInfo = MethodInfo {
         COUNTER_LIMIT,
         Z_PASS_LIMIT,
         NONE_LIMIT,
-        "front_cap=in_place: acne, where a cap and its own surface get depths that differ in the \
+        Limit::in_words(
+            "front_cap=in_place: acne, where a cap and its own surface get depths that differ in the \
          last bit; push_back_px takes most of it away",
-        "single wrong pixels at edges between lit triangles, in about one frame of ten",
+        ),
+        Limit::in_words(
+            "single wrong pixels at edges between lit triangles, in about one frame of ten",
+        ),
     ],
     parameters: &[
         &[(

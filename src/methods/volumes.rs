@@ -5,7 +5,7 @@
 //! is a sum over objects, so objects may be counted in different ways in one frame.
 
 use super::volume_parameters::{Counting, VolumeParameters};
-use super::{MethodError, PrepareContext, PreparedMethod};
+use super::{Limit, MethodError, PrepareContext, PreparedMethod};
 use crate::frame::{Stage, StencilResolve};
 use crate::gpu::native::{
     BindingKind, Bindings, IndexedGeometry, Pipeline, PipelineDesc, PrimitiveTopology, Raster,
@@ -22,13 +22,23 @@ const VOLUMES_STAGE: &str = "volumes";
 pub(super) const STENCIL: Requirement = Requirement::StencilBuffer;
 
 /// What every volume method cannot do.
-pub(super) const COUNTER_LIMIT: &str =
-    "counts in 8 bits: wrong at a point that is in 256 shadow volumes, or a multiple of it";
+pub(super) const COUNTER_LIMIT: Limit = Limit {
+    text: "counts in 8 bits: wrong at a point that is in 256 shadow volumes, or a multiple of it",
+    with: &[],
+    fails: &[],
+};
 /// What `counting = "z_pass"` cannot do.
-pub(super) const Z_PASS_LIMIT: &str =
-    "counting=z_pass: wrong where the eye or a part of the near rectangle is in a shadow volume";
+pub(super) const Z_PASS_LIMIT: Limit = Limit {
+    text: "counting=z_pass: wrong where the eye or a part of the near rectangle is in a shadow volume",
+    with: &[("counting", "z_pass")],
+    fails: &[],
+};
 /// What `determinism = "none"` cannot do.
-pub(super) const NONE_LIMIT: &str = "determinism=none: leaks where a triangle is nearly edge-on to the light and its edges disagree";
+pub(super) const NONE_LIMIT: Limit = Limit {
+    text: "determinism=none: leaks where a triangle is nearly edge-on to the light and its edges disagree",
+    with: &[("determinism", "none")],
+    fails: &[],
+};
 
 /// Faces of volumes that are drawn alike.
 pub(super) struct Faces {

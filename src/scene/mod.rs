@@ -6,6 +6,7 @@ pub mod mesh;
 pub mod model_search;
 pub mod obj;
 mod obj_diagnosis;
+pub mod part;
 pub mod scene_error;
 pub mod sphere_grid;
 mod weld;
@@ -20,6 +21,7 @@ pub use file::SceneFile;
 pub use mesh::{Mesh, Object};
 pub use model_search::ModelSearch;
 pub use obj::{ObjError, Up};
+pub use part::Part;
 pub use scene_error::SceneError;
 pub use sphere_grid::{SphereGrid, SphereGridError};
 

@@ -12,10 +12,10 @@ use glam::Vec3;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-use super::mesh::{MAX_TRIANGLES, Mesh, Object, canonical};
+use super::mesh::{MAX_TRIANGLES, Mesh};
 pub use super::obj_diagnosis::ObjProblem;
 use super::obj_diagnosis::diagnose;
-use super::weld::weld;
+use super::part::Part;
 
 /// Which axis of a model points up.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -125,15 +125,13 @@ pub fn load(path: &Path, up: Up) -> Result<Mesh, ObjError> {
     let no_materials = |_: &Path| Ok(Default::default());
     let (models, _) = tobj::load_obj_buf(&mut lines.as_bytes(), &options, no_materials)
         .map_err(|error| at_fault(Some(error)))?;
-    let parts: Option<Vec<Part>> = models
-        .par_iter()
-        .map(|model| Part::new(model, up))
-        .collect();
+    let parts: Option<Vec<Part>> = models.par_iter().map(|model| part(model, up)).collect();
     let parts = parts.ok_or_else(|| at_fault(Some(tobj::LoadError::InvalidPolygon)))?;
 
     match parts.iter().map(|part| part.triangles.len()).sum() {
         0 => Err(at_fault(None)),
-        1..=MAX_TRIANGLES => Ok(join(parts)),
+        // The parser ends with an object that may be empty.
+        1..=MAX_TRIANGLES => Ok(parts.into_iter().collect()),
         triangles => Err(ObjError::TooLarge {
             path: path.to_owned(),
             triangles,
@@ -190,39 +188,19 @@ fn push_geometry(line: &str, kept: &mut String) {
     }
 }
 
-/// One object, with indices of its own.
-struct Part {
-    name: String,
-    positions: Vec<Vec3>,
-    triangles: Vec<[u32; 3]>,
-}
-
-impl Part {
-    /// None if a face has fewer than three corners or a vertex is not finite.
-    fn new(model: &tobj::Model, up: Up) -> Option<Self> {
-        let turned = |p: &[f32; 3]| match (up, *p) {
-            (Up::Y, [x, y, z]) => Vec3::new(x, y, z),
-            (Up::Z, [x, y, z]) => Vec3::new(x, z, -y),
-        };
-        let positions: Vec<Vec3> = model
-            .mesh
-            .positions
-            .as_chunks()
-            .0
-            .iter()
-            .map(|p| canonical(turned(p)))
-            .collect();
-        if !positions.iter().all(|p| p.is_finite()) {
-            return None;
-        }
-        let mut triangles = triangulated(&model.mesh.indices, &model.mesh.face_arities)?;
-        let positions = weld(&positions, &mut triangles);
-        Some(Self {
-            name: model.name.clone(),
-            positions,
-            triangles,
-        })
+/// None if a face has fewer than three corners or a vertex is not finite.
+fn part(model: &tobj::Model, up: Up) -> Option<Part> {
+    let turned = |p: &[f32; 3]| match (up, *p) {
+        (Up::Y, [x, y, z]) => Vec3::new(x, y, z),
+        (Up::Z, [x, y, z]) => Vec3::new(x, z, -y),
+    };
+    let positions = model.mesh.positions.as_chunks().0;
+    let positions: Vec<Vec3> = positions.iter().map(turned).collect();
+    if !positions.iter().all(|p| p.is_finite()) {
+        return None;
     }
+    let triangles = triangulated(&model.mesh.indices, &model.mesh.face_arities)?;
+    Some(Part::new(&model.name, &positions, triangles))
 }
 
 /// Fans around the first corner of each face; no arities mean triangles throughout.
@@ -244,28 +222,6 @@ fn triangulated(corners: &[u32], arities: &[u32]) -> Option<Vec<[u32; 3]>> {
         triangles.extend(others.windows(2).map(|pair| [*first, pair[0], pair[1]]));
     }
     Some(triangles)
-}
-
-fn join(parts: Vec<Part>) -> Mesh {
-    let mut mesh = Mesh::default();
-    // The parser ends with an object that may be empty.
-    for part in parts.into_iter().filter(|part| !part.triangles.is_empty()) {
-        let vertex = mesh.positions.len() as u32;
-        let triangle = mesh.triangles.len() as u32;
-        mesh.positions.extend(&part.positions);
-        mesh.triangles.extend(
-            part.triangles
-                .iter()
-                .map(|t| t.map(|corner| vertex + corner)),
-        );
-        mesh.objects.push(Object {
-            name: part.name,
-            vertices: vertex..mesh.positions.len() as u32,
-            triangles: triangle..mesh.triangles.len() as u32,
-            casts_shadow: true,
-        });
-    }
-    mesh
 }
 
 #[cfg(test)]

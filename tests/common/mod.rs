@@ -4,7 +4,7 @@
 use glam::{Vec3, Vec4};
 use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
 use svbench::gpu::{Gpu, GpuOptions, messages};
-use svbench::scene::{CameraKey, CameraPath, Mesh, Object, Scene, View};
+use svbench::scene::{CameraKey, CameraPath, Part, Scene, View};
 
 static DEVICE: LazyLock<Mutex<Gpu>> = LazyLock::new(|| {
     let adapter = std::env::var("SVBENCH_TEST_ADAPTER").ok();
@@ -63,31 +63,6 @@ pub(crate) fn scene_over_ground(
     light: Vec4,
     view: &View,
 ) -> Scene {
-    let mut mesh = Mesh::default();
-    let mut add = |name: &str, triangles: &[[Vec3; 3]], casts_shadow| {
-        let first = (mesh.positions.len() as u32, mesh.triangles.len() as u32);
-        let start = mesh.positions.len();
-        for triangle in triangles {
-            let index = triangle.map(|corner| {
-                let known = mesh.positions[start..].iter().position(|p| *p == corner);
-                known.map_or_else(
-                    || {
-                        mesh.positions.push(corner);
-                        mesh.positions.len() as u32 - 1
-                    },
-                    |found| (start + found) as u32,
-                )
-            });
-            mesh.triangles.push(index);
-        }
-        mesh.objects.push(Object {
-            name: name.to_owned(),
-            vertices: first.0..mesh.positions.len() as u32,
-            triangles: first.1..mesh.triangles.len() as u32,
-            casts_shadow,
-        });
-    };
-    add("casters", triangles, true);
     let corner = |x: f32, z: f32| Vec3::new(40.0 * x, ground_y, 40.0 * z);
     let (a, b, c, d) = (
         corner(-1.0, -1.0),
@@ -95,7 +70,8 @@ pub(crate) fn scene_over_ground(
         corner(1.0, -1.0),
         corner(1.0, 1.0),
     );
-    add("ground", &[[a, b, c], [c, b, d]], false);
+    let ground = Part::of_triangles("ground", &[[a, b, c], [c, b, d]]).receiver();
+    let mesh = [Part::of_triangles("casters", triangles), ground];
     let camera = CameraPath {
         keys: vec![CameraKey {
             time_s: 0.0,
@@ -106,5 +82,11 @@ pub(crate) fn scene_over_ground(
         fov_y_rad: view.fov_y_rad,
         near: view.near,
     };
-    Scene::new("test".to_owned(), "test".to_owned(), mesh, light, camera)
+    Scene::new(
+        "test".to_owned(),
+        "test".to_owned(),
+        mesh.into_iter().collect(),
+        light,
+        camera,
+    )
 }

@@ -1,0 +1,49 @@
+//! What a method cannot do: in words for people, and in causes of the stress corpus for machines.
+
+use super::MethodInfo;
+use serde::Serialize;
+
+/// Something that a method cannot do or gets wrong, by design.
+#[derive(Debug, Clone, Serialize)]
+pub struct Limit {
+    /// In words.
+    pub text: &'static str,
+    /// The parameters, name and value, with any of which it holds; with none, it always holds.
+    pub with: &'static [(&'static str, &'static str)],
+    /// The causes of the stress corpus that fail by it, each with the value from which on they do.
+    pub fails: &'static [(&'static str, f64)],
+}
+
+impl Limit {
+    /// One that no cause of the stress corpus shows.
+    pub(super) const fn in_words(text: &'static str) -> Self {
+        Self {
+            text,
+            with: &[],
+            fails: &[],
+        }
+    }
+
+    /// Whether it holds for a variant, see [`super::ShadowMethod::variant`].
+    fn holds(&self, variant: &str) -> bool {
+        let is_set = |(name, value): &(&str, &str)| {
+            let parameters = variant.split(',').filter_map(|pair| pair.split_once('='));
+            parameters.into_iter().any(|pair| pair == (*name, *value))
+        };
+        self.with.is_empty() || self.with.iter().any(is_set)
+    }
+
+    fn covers(&self, cause: &str, value: f64) -> bool {
+        let is_it = |(name, from): &(&str, f64)| *name == cause && value >= *from;
+        self.fails.iter().any(is_it)
+    }
+}
+
+impl MethodInfo {
+    /// The limit by which a variant of the method may fail at a value of a cause of the stress corpus.
+    pub fn declared(&self, variant: &str, cause: &str, value: f64) -> Option<&'static Limit> {
+        self.limits
+            .iter()
+            .find(|limit| limit.holds(variant) && limit.covers(cause, value))
+    }
+}

@@ -1,0 +1,73 @@
+//! Objects with vertices of their own, and how they become one mesh.
+
+use super::mesh::{Mesh, Object, canonical};
+use super::weld::weld;
+use glam::Vec3;
+
+/// One object on its own, with indices into its own vertices; these are canonical, each is used, and no two
+/// are at one place.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Part {
+    /// See [`Object::name`].
+    pub name: String,
+    pub(super) positions: Vec<Vec3>,
+    pub(super) triangles: Vec<[u32; 3]>,
+    /// See [`Object::casts_shadow`].
+    pub casts_shadow: bool,
+}
+
+impl Part {
+    /// From vertices, which become canonical and one where they are at the same place, and indices into
+    /// them. It casts a shadow.
+    ///
+    /// # Panics
+    /// When an index is out of range.
+    pub fn new(name: &str, positions: &[Vec3], mut triangles: Vec<[u32; 3]>) -> Self {
+        let positions: Vec<Vec3> = positions.iter().map(|p| canonical(*p)).collect();
+        let positions = weld(&positions, &mut triangles);
+        Self {
+            name: name.to_owned(),
+            positions,
+            triangles,
+            casts_shadow: true,
+        }
+    }
+
+    /// From the corners of triangles, as [`Self::new`].
+    pub fn of_triangles(name: &str, triangles: &[[Vec3; 3]]) -> Self {
+        let first = |triangle: usize| 3 * triangle as u32;
+        let indices = (0..triangles.len()).map(|i| [first(i), first(i) + 1, first(i) + 2]);
+        Self::new(name, triangles.as_flattened(), indices.collect())
+    }
+
+    /// The same as something that only receives shadows.
+    #[must_use]
+    pub fn receiver(self) -> Self {
+        Self {
+            casts_shadow: false,
+            ..self
+        }
+    }
+}
+
+impl FromIterator<Part> for Mesh {
+    /// An object for each part that has triangles.
+    fn from_iter<I: IntoIterator<Item = Part>>(parts: I) -> Self {
+        let mut mesh = Self::default();
+        for part in parts.into_iter().filter(|part| !part.triangles.is_empty()) {
+            let vertex = mesh.positions.len() as u32;
+            let triangle = mesh.triangles.len() as u32;
+            mesh.positions.extend(&part.positions);
+            let triangles = part.triangles.iter();
+            mesh.triangles
+                .extend(triangles.map(|t| t.map(|corner| vertex + corner)));
+            mesh.objects.push(Object {
+                name: part.name,
+                vertices: vertex..mesh.positions.len() as u32,
+                triangles: triangle..mesh.triangles.len() as u32,
+                casts_shadow: part.casts_shadow,
+            });
+        }
+        mesh
+    }
+}
