@@ -26,6 +26,7 @@ pub(super) static INFO: MethodInfo = MethodInfo {
         ),
         Limit::in_words("needs a light at a point"),
     ],
+    tolerated_share: depth_map::TOLERATED_SHARE,
     parameters: &[
         &[
             (

@@ -23,6 +23,9 @@ pub(super) const PARAMETERS: &[Parameter] = &[
     ),
 ];
 
+/// See [`MethodInfo::tolerated_share`]: at true edges a map is wrong by a texel, which may be several pixels.
+pub(super) const TOLERATED_SHARE: f64 = 0.02;
+
 /// Largest square of percentage-closer filtering.
 const MOST_PCF: u32 = 15;
 

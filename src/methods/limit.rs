@@ -12,6 +12,8 @@ pub struct Limit {
     pub with: &'static [(&'static str, &'static str)],
     /// The causes of the stress corpus that fail by it, each with the value from which on they do.
     pub fails: &'static [(&'static str, f64)],
+    /// Kinds of error (see [`crate::metrics::Label`]) that it leaves in any scene.
+    pub kinds: &'static [&'static str],
 }
 
 impl Limit {
@@ -21,6 +23,7 @@ impl Limit {
             text,
             with: &[],
             fails: &[],
+            kinds: &[],
         }
     }
 
@@ -40,10 +43,14 @@ impl Limit {
 }
 
 impl MethodInfo {
+    /// The limits that hold for a variant of the method, see [`super::ShadowMethod::variant`].
+    pub fn limits_of(&self, variant: &str) -> impl Iterator<Item = &'static Limit> {
+        self.limits.iter().filter(move |limit| limit.holds(variant))
+    }
+
     /// The limit by which a variant of the method may fail at a value of a cause of the stress corpus.
     pub fn declared(&self, variant: &str, cause: &str, value: f64) -> Option<&'static Limit> {
-        self.limits
-            .iter()
-            .find(|limit| limit.holds(variant) && limit.covers(cause, value))
+        self.limits_of(variant)
+            .find(|limit| limit.covers(cause, value))
     }
 }

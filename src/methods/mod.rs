@@ -49,6 +49,9 @@ pub struct MethodInfo {
     pub needs: &'static [Requirement],
     /// What it cannot do or gets wrong, by design.
     pub limits: &'static [Limit],
+    /// The part of a picture that may be wrong away from true edges before that is a failure: 0 for a method
+    /// that is exact to the pixel.
+    pub tolerated_share: f64,
     /// Its parameters, those that it shares with others and its own.
     #[serde(serialize_with = "in_one_list")]
     pub parameters: &'static [&'static [Parameter]],

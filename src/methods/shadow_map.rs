@@ -26,6 +26,7 @@ pub(super) static INFO: MethodInfo = MethodInfo {
             "a light among the casters: what its widest frustum (150 degrees) leaves out is lit",
         ),
     ],
+    tolerated_share: depth_map::TOLERATED_SHARE,
     parameters: &[
         &[
             (

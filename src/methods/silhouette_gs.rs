@@ -16,6 +16,7 @@ pub(super) static INFO: MethodInfo = MethodInfo {
     source: "Milet, Kobrtek, Zemčík, Pečiva 2014, section 3",
     needs: &[Requirement::GeometryStage, STENCIL],
     limits: &[COUNTER_LIMIT, Z_PASS_LIMIT, NONE_LIMIT],
+    tolerated_share: 0.0,
     parameters: &[
         volume_parameters::PARAMETERS,
         &[

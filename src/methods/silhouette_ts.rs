@@ -19,6 +19,7 @@ pub(super) static INFO: MethodInfo = MethodInfo {
         STENCIL,
     ],
     limits: &[COUNTER_LIMIT, Z_PASS_LIMIT, NONE_LIMIT],
+    tolerated_share: 0.0,
     parameters: &[
         volume_parameters::PARAMETERS,
         &[

@@ -3,7 +3,7 @@
 use super::parameters::{Parameters, in_range};
 use super::volume_parameters::{self, FrontCap, VolumeParameters};
 use super::volumes::{
-    self, COUNTER_LIMIT, Faces, NONE_LIMIT, STENCIL, StencilVolumes, Z_PASS_LIMIT,
+    self, COUNTER_LIMIT, Faces, NONE_LIMIT, SEAM_LIMIT, STENCIL, StencilVolumes, Z_PASS_LIMIT,
 };
 use super::{Limit, MethodError, MethodInfo, PrepareContext, PreparedMethod, ShadowMethod};
 use crate::frame::DepthSetup;
@@ -26,10 +26,9 @@ pub(super) static INFO: MethodInfo = MethodInfo {
             "front_cap=in_place: acne, where a cap and its own surface get depths that differ in the \
          last bit; push_back_px takes most of it away",
         ),
-        Limit::in_words(
-            "single wrong pixels at edges between lit triangles, in about one frame of ten",
-        ),
+        SEAM_LIMIT,
     ],
+    tolerated_share: 0.0,
     parameters: &[
         &[(
             "passes",

@@ -26,18 +26,30 @@ pub(super) const COUNTER_LIMIT: Limit = Limit {
     text: "counts in 8 bits: wrong at a point that is in 256 shadow volumes, or a multiple of it",
     with: &[],
     fails: &[],
+    kinds: &[],
 };
 /// What `counting = "z_pass"` cannot do.
 pub(super) const Z_PASS_LIMIT: Limit = Limit {
     text: "counting=z_pass: wrong where the eye or a part of the near rectangle is in a shadow volume",
     with: &[("counting", "z_pass")],
     fails: &[],
+    kinds: &[],
 };
 /// What `determinism = "none"` cannot do.
 pub(super) const NONE_LIMIT: Limit = Limit {
     text: "determinism=none: leaks where a triangle is nearly edge-on to the light and its edges disagree",
     with: &[("determinism", "none")],
     fails: &[],
+    kinds: &[],
+};
+
+/// What volumes of single triangles cannot do.
+pub(super) const SEAM_LIMIT: Limit = Limit {
+    text: "single wrong pixels on edges between triangles, where the side quads of both should leave each \
+           other out",
+    with: &[],
+    fails: &[],
+    kinds: &["seam"],
 };
 
 /// Faces of volumes that are drawn alike.

@@ -84,6 +84,16 @@ impl EvidenceProbe<'_> {
         })
     }
 
+    /// Whether an edge of the triangle seen passes the pixel's centre nearer than the rasteriser can tell.
+    #[must_use]
+    pub fn at_an_edge(&self, pixel: usize) -> bool {
+        let Some(triangle) = self.triangle_id(pixel).checked_sub(1) else {
+            return false;
+        };
+        let corners = &self.reference.tree.primitive(triangle).corners;
+        self.projection.at_an_edge(self.centre_px(pixel), corners)
+    }
+
     /// The unit vector from a point towards the light; not a number at the light itself.
     #[must_use]
     pub fn towards_light(&self, point: DVec3) -> DVec3 {
@@ -111,10 +121,14 @@ impl EvidenceProbe<'_> {
         let triangle = self.triangle_id(pixel).checked_sub(1)?;
         let tree = &self.reference.tree;
         let own = tree.primitive(triangle);
-        let (x, y) = (pixel % self.width, pixel / self.width);
-        let centre_px = DVec2::new(x as f64 + 0.5, y as f64 + 0.5);
+        let centre_px = self.centre_px(pixel);
         let point = point_seen(&self.projection, centre_px, &own.corners, tree.scale)?;
         Some((own, point))
+    }
+
+    fn centre_px(&self, pixel: usize) -> DVec2 {
+        let (x, y) = (pixel % self.width, pixel / self.width);
+        DVec2::new(x as f64 + 0.5, y as f64 + 0.5)
     }
 
     /// How many casting triangles block the way to the light, and the distance of the nearest.

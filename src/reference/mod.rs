@@ -8,6 +8,7 @@
 //! In reading order: [`ReferenceMask`] is the result, `view` the pixel rays, `surface` the point
 //! seen through a pixel, `segment` the way from it to the light, `contact` how that meets one
 //! triangle, `tree` which triangles are worth asking, `trace` the whole picture,
+//! `grid` which pixels the rasteriser's grid decides,
 //! [`BoundaryProbe`] where the true shadow boundary runs, [`EvidenceProbe`] what is known of a
 //! single pixel, [`Motion`] where the points of one picture appear in another, and
 //! [`ReferenceCache`] what is kept on disk between runs.
@@ -16,6 +17,7 @@ mod boundary;
 mod cache;
 mod contact;
 mod evidence;
+mod grid;
 mod motion;
 mod segment;
 mod surface;

@@ -65,6 +65,19 @@ pub(super) fn point_seen(
     Some(nearest + share * inwards)
 }
 
+/// Whether a ray meets a triangle, and so does every ray from the eye within a small angle (radians) of it.
+pub(super) fn meets_well_inside(ray: &EyeRay, corners: &[Vec3; 3], angle: f64) -> bool {
+    let [a, b, c] = corners.map(|corner| corner.as_dvec3() - ray.eye);
+    // The sine of the angle between the ray and the plane through the eye and an edge.
+    let sine = |from: DVec3, to: DVec3| {
+        let normal = from.cross(to);
+        ray.direction.dot(normal) / normal.length()
+    };
+    let sines = [sine(a, b), sine(b, c), sine(c, a)];
+    // Not a number, which is beside, where the eye lies on an edge's line.
+    sines.iter().all(|sine| *sine > angle) || sines.iter().all(|sine| *sine < -angle)
+}
+
 /// The point of an edge nearest to a ray, and the tangent of the angle between the two as seen from
 /// the eye; `None` behind the eye.
 fn nearest_on_edge(ray: &EyeRay, [from, to]: [DVec3; 2]) -> Option<(DVec3, f64)> {

@@ -81,10 +81,17 @@ impl Reference {
                 };
                 let own = self.tree.primitive(triangle);
                 let centre_px = DVec2::new(x as f64 + 0.5, y as f64 + 0.5);
-                *verdict = point_seen(&projection, centre_px, &own.corners, self.tree.scale)
-                    .map_or(Verdict::Ambiguous, |point| {
-                        self.judge(own, point, projection.eye, light, &mut last_blocker)
-                    });
+                let Some(point) = point_seen(&projection, centre_px, &own.corners, self.tree.scale)
+                else {
+                    *verdict = Verdict::Ambiguous;
+                    continue;
+                };
+                *verdict = self.judge(own, point, projection.eye, light, &mut last_blocker);
+                if projection.at_an_edge(centre_px, &own.corners)
+                    && !self.goes_on(&projection, centre_px, own, light)
+                {
+                    *verdict = Verdict::Ambiguous;
+                }
             }
         });
         ReferenceMask::new(view.width, view.height, verdicts)

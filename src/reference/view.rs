@@ -41,7 +41,7 @@ pub(super) struct Projection {
     from_clip: DMat4,
     /// The point that the matrix projects from.
     pub(super) eye: DVec3,
-    size_px: DVec2,
+    pub(super) size_px: DVec2,
 }
 
 impl Projection {

@@ -1,10 +1,132 @@
-//! Random scenes, each made from one number.
+//! Random scenes, each made from one number: triangles of all sizes without any order, lights and eyes
+//! anywhere, inside of things too.
 
 use crate::scene::mesh::canonical;
-use crate::scene::{CameraKey, CameraPath, Mesh, Object, Scene};
+use crate::scene::{CameraKey, CameraPath, Mesh, Part, Scene, SphereGrid};
 use glam::{Vec3, Vec4};
 use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
+
+/// Most triangles of a random scene, without the ground that half of them have.
+const MOST_TRIANGLES: f32 = 200.99;
+
+/// The random scene of a seed: the same on every machine.
+pub fn case(seed: u64) -> Scene {
+    let random = &mut ChaCha8Rng::seed_from_u64(seed);
+    let count = log_uniform(random, 1.0, MOST_TRIANGLES) as usize;
+    let casters = match random.random_range(0..4) {
+        0 => free(random, count, false),
+        1 => free(random, count, true),
+        2 => connected(random, count),
+        _ => damaged_sphere(random),
+    };
+    let ground = random.random_bool(0.5).then(|| ground(random));
+    let light = light(random);
+    let camera = CameraPath {
+        keys: vec![CameraKey {
+            time_s: 0.0,
+            eye: in_cube(random, 3.0),
+            target: in_cube(random, 0.5),
+        }],
+        up: Vec3::Y,
+        fov_y_rad: 1.0,
+        near: log_uniform(random, 0.001, 0.2),
+    };
+    let mesh: Mesh = [casters].into_iter().chain(ground).collect();
+    let title = format!("Random scene {seed}");
+    Scene::new(format!("random_{seed}"), title, mesh, light, camera)
+}
+
+/// Triangles that have nothing to do with each other, around the origin; corners are at most `size` from a
+/// point in the cube from -1 to 1.
+pub fn soup(random: &mut impl Rng, count: usize, size: f32) -> Vec<[Vec3; 3]> {
+    let mut triangle = || {
+        let centre = in_cube(random, 1.0);
+        [(); 3].map(|()| canonical(centre + in_cube(random, size)))
+    };
+    (0..count).map(|_| triangle()).collect()
+}
+
+/// A soup of triangles of one size. On a coarse grid, corners and whole edges coincide, planes hold
+/// several triangles, and some have no area.
+fn free(random: &mut impl Rng, count: usize, on_grid: bool) -> Part {
+    let size = log_uniform(random, 0.05, 2.0);
+    let mut triangles = soup(random, count, size);
+    if on_grid {
+        for corner in triangles.as_flattened_mut() {
+            *corner = to_grid(*corner);
+        }
+    }
+    Part::of_triangles("soup", &triangles)
+}
+
+/// Triangles between few points: edges with any number of triangles, of any winding.
+fn connected(random: &mut impl Rng, count: usize) -> Part {
+    let points = random.random_range(3..count.max(4) + 3);
+    let positions: Vec<Vec3> = (0..points).map(|_| in_cube(random, 1.0)).collect();
+    let mut triangle = || [(); 3].map(|()| random.random_range(0..points) as u32);
+    let triangles = (0..count).map(|_| triangle()).collect();
+    Part::new("connected", &positions, triangles)
+}
+
+/// A sphere from which up to nine times a triangle was taken, turned, doubled or pulled out of shape.
+fn damaged_sphere(random: &mut impl Rng) -> Part {
+    let slices = 2 * random.random_range(2..7u32);
+    let grid = SphereGrid {
+        rows: 1,
+        columns: 1,
+        slices,
+    };
+    let Ok(mesh) = grid.mesh() else {
+        unreachable!("so few slices are valid")
+    };
+    let Some(sphere) = mesh.casters().next() else {
+        unreachable!("a grid has spheres")
+    };
+    // The one sphere of a grid has a radius of 10 and stands on the ground.
+    let to_origin = |p: &Vec3| *p * 0.08 - Vec3::Y;
+    let mut positions: Vec<Vec3> = mesh.positions[sphere.vertex_range()]
+        .iter()
+        .map(to_origin)
+        .collect();
+    let own = |index: u32| index - sphere.vertices.start;
+    let triangles = mesh.triangles[sphere.triangle_range()].iter();
+    let mut triangles: Vec<[u32; 3]> = triangles.map(|triangle| triangle.map(own)).collect();
+    for _ in 0..3 * random.random_range(0..4) {
+        let at = random.random_range(0..triangles.len());
+        match random.random_range(0..4) {
+            0 => drop(triangles.swap_remove(at)),
+            1 => triangles[at].swap(0, 1),
+            2 => triangles.push(triangles[at]),
+            _ => positions[triangles[at][0] as usize] += in_cube(random, 0.2),
+        }
+    }
+    Part::new("damaged_sphere", &positions, triangles)
+}
+
+fn ground(random: &mut impl Rng) -> Part {
+    let y = random.random_range(-1.5..1.0f32);
+    let corners = [(-4.0, -4.0), (-4.0, 4.0), (4.0, -4.0), (4.0, 4.0)];
+    let corners = corners.map(|(x, z)| Vec3::new(x, y, z));
+    Part::new("ground", &corners, vec![[0, 1, 2], [2, 1, 3]])
+}
+
+/// Mostly among the triangles; one in ten at infinity, one far away, and one on the coarse grid.
+fn light(random: &mut impl Rng) -> Vec4 {
+    match random.random_range(0..10) {
+        0 => in_cube(random, 1.0).extend(0.0),
+        1 => {
+            let direction = in_cube(random, 1.0).normalize();
+            (direction * log_uniform(random, 3.0, 1000.0)).extend(1.0)
+        }
+        2 => to_grid(in_cube(random, 2.0)).extend(1.0),
+        _ => in_cube(random, 2.0).extend(1.0),
+    }
+}
+
+fn to_grid(p: Vec3) -> Vec3 {
+    (p * 4.0).round() / 4.0
+}
 
 fn in_cube(random: &mut impl Rng, half: f32) -> Vec3 {
     Vec3::from_array([(); 3].map(|()| random.random_range(-half..half)))
@@ -14,130 +136,19 @@ fn log_uniform(random: &mut impl Rng, low: f32, high: f32) -> f32 {
     random.random_range(low.ln()..high.ln()).exp()
 }
 
-/// exp
-pub fn soup(random: &mut impl Rng, count: usize, size: f32) -> Vec<[Vec3; 3]> {
-    (0..count)
-        .map(|_| {
-            let centre = in_cube(random, 1.0);
-            [(); 3].map(|()| canonical(centre + in_cube(random, size)))
-        })
-        .collect()
-}
+#[cfg(test)]
+mod tests {
+    use super::*;
 
-/// exp
-pub fn case(seed: u64) -> Scene {
-    let mut random = ChaCha8Rng::seed_from_u64(seed);
-    let r = &mut random;
-    let count = log_uniform(r, 1.0, 200.99) as usize;
-    let kind = r.random_range(0..4);
-    let mut positions: Vec<Vec3> = Vec::new();
-    let mut triangles: Vec<[u32; 3]> = Vec::new();
-    match kind {
-        0 | 1 => {
-            let size = log_uniform(r, 0.05, 2.0);
-            let snap = kind == 1;
-            for t in soup(r, count, size) {
-                let first = positions.len() as u32;
-                positions.extend(t.map(|p| if snap { (p * 4.0).round() / 4.0 } else { p }));
-                triangles.push([first, first + 1, first + 2]);
-            }
+    #[test]
+    fn a_seed_is_a_scene() {
+        for seed in 0..300 {
+            let scene = case(seed);
+            assert_eq!(scene, case(seed));
+            assert!((1..=203).contains(&scene.mesh.triangles.len()), "{seed}");
+            assert!(scene.mesh.positions.iter().all(|p| p.is_finite()));
+            scene.camera.validate().unwrap();
         }
-        2 => {
-            let n = r.random_range(3..count.max(4) + 3);
-            positions = (0..n).map(|_| canonical(in_cube(r, 1.0))).collect();
-            for _ in 0..count {
-                triangles.push([(); 3].map(|()| r.random_range(0..n) as u32));
-            }
-        }
-        _ => {
-            let slices = 2 * r.random_range(2..7u32);
-            let sphere = crate::scene::SphereGrid {
-                rows: 1,
-                columns: 1,
-                slices,
-            };
-            let mesh = sphere.mesh().expect("valid");
-            let o = &mesh.objects[if mesh.objects[0].casts_shadow { 0 } else { 1 }];
-            let s = 0.08;
-            positions = mesh.positions[o.vertex_range()]
-                .iter()
-                .map(|p| canonical(*p * s - Vec3::Y))
-                .collect();
-            triangles = mesh.triangles[o.triangle_range()]
-                .iter()
-                .map(|t| t.map(|i| i - o.vertices.start))
-                .collect();
-            let damage = r.random_range(0..4);
-            for _ in 0..damage * 3 {
-                let i = r.random_range(0..triangles.len());
-                match r.random_range(0..4) {
-                    0 => {
-                        triangles.swap_remove(i);
-                    }
-                    1 => triangles[i].swap(0, 1),
-                    2 => {
-                        let t = triangles[i];
-                        triangles.push(t);
-                    }
-                    _ => {
-                        let v = triangles[i][0] as usize;
-                        positions[v] += in_cube(r, 0.2);
-                        positions[v] = canonical(positions[v]);
-                    }
-                }
-            }
-        }
+        assert_ne!(case(1).mesh_hash, case(2).mesh_hash);
     }
-    let mut objects = vec![Object {
-        name: "soup".into(),
-        vertices: 0..positions.len() as u32,
-        triangles: 0..triangles.len() as u32,
-        casts_shadow: true,
-    }];
-    if r.random_bool(0.5) {
-        let v = positions.len() as u32;
-        let t = triangles.len() as u32;
-        let y = r.random_range(-1.5..1.0f32);
-        positions.extend(
-            [(-1.0, -1.0), (-1.0, 1.0), (1.0, -1.0), (1.0, 1.0)]
-                .map(|(x, z)| canonical(Vec3::new(x * 4.0, y, z * 4.0))),
-        );
-        triangles.extend([[v, v + 1, v + 2], [v + 2, v + 1, v + 3]]);
-        objects.push(Object {
-            name: "ground".into(),
-            vertices: v..v + 4,
-            triangles: t..t + 2,
-            casts_shadow: true,
-        });
-    }
-    let light = match r.random_range(0..10) {
-        0 => in_cube(r, 1.0).extend(0.0),
-        1 => (in_cube(r, 1.0).normalize() * log_uniform(r, 3.0, 1000.0)).extend(1.0),
-        2 => ((in_cube(r, 2.0) * 4.0).round() / 4.0).extend(1.0),
-        _ => in_cube(r, 2.0).extend(1.0),
-    };
-    let eye = in_cube(r, 3.0);
-    let target = in_cube(r, 0.5);
-    let near = log_uniform(r, 0.001, 0.2);
-    let camera = CameraPath {
-        keys: vec![CameraKey {
-            time_s: 0.0,
-            eye,
-            target,
-        }],
-        up: Vec3::Y,
-        fov_y_rad: 1.0,
-        near,
-    };
-    Scene::new(
-        format!("fuzz_{seed}"),
-        format!("Random scene {seed}"),
-        Mesh {
-            positions,
-            triangles,
-            objects,
-        },
-        Vec4::from(light),
-        camera,
-    )
 }

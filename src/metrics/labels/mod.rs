@@ -5,13 +5,14 @@
 //!
 //! Rules are asked in this order, and the first that holds decides: the whole frame
 //! (`whole_frame`: inverted, offset); then, for each region of artifact pixels, overflow
-//! (`blockers`), uncovered (`blockers`), staircase (`staircase`), detached shadow (`blockers`), leak (`streak`) and acne
-//! (`speckle`). Boundary pixels belong to no region: they can only be part of a staircase, or of
+//! (`blockers`), uncovered (`blockers`), staircase (`staircase`), detached shadow (`blockers`), leak (`streak`), acne
+//! (`speckle`) and seam. Boundary pixels belong to no region: they can only be part of a staircase, or of
 //! what is true of the whole frame.
 
 mod blockers;
 mod clusters;
 mod frame;
+mod seam;
 mod speckle;
 mod staircase;
 mod streak;
@@ -29,6 +30,7 @@ use blockers::{is_detached, is_overflow, is_uncovered, samples_a_region};
 use clusters::Clusters;
 use frame::Frame;
 pub use frame::{FrameContext, TexelLookup};
+use seam::is_seam;
 use speckle::is_speckle;
 use staircase::Staircase;
 use streak::{Leaks, leaks};
@@ -49,6 +51,8 @@ pub enum Label {
     Overflow,
     /// False lit where the shadow map has no texel: it does not cover all that is in view.
     Uncovered,
+    /// One or two pixels on an edge between triangles, where the surface goes on.
+    Seam,
     /// The whole mask is the opposite of the truth.
     Inverted,
     /// The whole mask is the truth, moved by one pixel.
@@ -59,13 +63,14 @@ pub enum Label {
 
 impl Label {
     /// All of them.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 10] = [
         Self::Acne,
         Self::DetachedShadow,
         Self::Leak,
         Self::Staircase,
         Self::Overflow,
         Self::Uncovered,
+        Self::Seam,
         Self::Inverted,
         Self::Offset,
         Self::Unlabelled,
@@ -81,6 +86,7 @@ impl Label {
             Self::Staircase => "staircase",
             Self::Overflow => "overflow",
             Self::Uncovered => "uncovered",
+            Self::Seam => "seam",
             Self::Inverted => "inverted",
             Self::Offset => "offset",
             Self::Unlabelled => "unlabelled",
@@ -102,6 +108,13 @@ impl Analysis {
     #[must_use]
     pub fn label_px(&self, label: Label) -> u64 {
         self.label_px[label as usize]
+    }
+
+    /// Wrong pixels with the label of this word; 0 for a word that is none.
+    #[must_use]
+    pub fn word_px(&self, word: &str) -> u64 {
+        let label = Label::ALL.into_iter().find(|label| label.word() == word);
+        label.map_or(0, |label| self.label_px(label))
     }
 
     /// The word of each label that occurs, and its wrong pixels.
@@ -178,6 +191,8 @@ fn label_regions(frame: &Frame<'_>, artifacts: &mut [Artifact], staircase: Optio
                 Label::Leak
             } else if acne {
                 Label::Acne
+            } else if is_seam(frame, artifact) {
+                Label::Seam
             } else {
                 Label::Unlabelled
             }

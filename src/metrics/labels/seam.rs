@@ -1,0 +1,18 @@
+//! Seams: single pixels on an edge between two triangles that go on alike.
+//!
+//! Volumes of single triangles leave each other out along their common side quads, one quad for each
+//! triangle. Near the edge both quads are as near to the surface as can be, and clipping or tessellation that
+//! gives them another last bit leaves one of them at a pixel.
+
+use super::frame::Frame;
+use crate::metrics::regions::Artifact;
+
+/// A region of more pixels is something else.
+const MOST_PX: usize = 2;
+
+/// Whether all pixels of a region have an edge of their triangle as near to their centre as the rasteriser
+/// can tell.
+pub(super) fn is_seam(frame: &Frame<'_>, artifact: &Artifact) -> bool {
+    let mut pixels = artifact.pixels.iter();
+    artifact.pixels.len() <= MOST_PX && pixels.all(|pixel| frame.probe.at_an_edge(*pixel))
+}

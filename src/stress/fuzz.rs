@@ -1,0 +1,95 @@
+//! Differential fuzzing: random scenes, every method against the truth.
+
+use super::finding::Finding;
+use super::random;
+use super::trial::{Attempt, Studio, Trial};
+use crate::bench::Observer;
+use crate::methods::ShadowMethod;
+use crate::metrics::MaskError;
+use crate::scene::Scene;
+use std::ops::Range;
+use std::time::{Duration, Instant};
+
+/// What to try.
+#[derive(Debug, Clone)]
+pub struct FuzzPlan {
+    /// Seeds of the random scenes, see [`random::case`].
+    pub seeds: Range<u64>,
+    /// Stop after this time.
+    pub budget: Option<Duration>,
+}
+
+/// A picture that a method got wrong.
+pub struct Failure<'a> {
+    /// The seed of the scene.
+    pub seed: u64,
+    /// The scene.
+    pub scene: &'a Scene,
+    /// Index of the method.
+    pub method: usize,
+    /// Whether the method declares it.
+    pub finding: Finding,
+    /// The picture, with those of the other methods.
+    pub trial: &'a Trial,
+}
+
+/// What all cases of one method came to.
+#[derive(Debug, Clone, Default)]
+pub struct Tally {
+    /// Cases drawn.
+    pub cases: u64,
+    /// Cases with errors that the method declares.
+    pub declared: u64,
+    /// Cases with errors that it does not.
+    pub undeclared: u64,
+    /// Sum over all pictures.
+    pub error: MaskError,
+}
+
+/// Draws random scenes until there are no more seeds, the time is up or the user interrupts; `found` is told
+/// of every failure. Gives a tally a method.
+///
+/// # Errors
+/// When the device is lost, or `found` fails.
+pub fn fuzz(
+    studio: &Studio<'_>,
+    methods: &[Box<dyn ShadowMethod>],
+    plan: &FuzzPlan,
+    observer: &dyn Observer,
+    mut found: impl FnMut(&Failure<'_>) -> anyhow::Result<()>,
+) -> anyhow::Result<Vec<Tally>> {
+    let started = Instant::now();
+    let mut tallies = vec![Tally::default(); methods.len()];
+    observer.begin(plan.seeds.end - plan.seeds.start);
+    for seed in plan.seeds.clone() {
+        let is_late = plan.budget.is_some_and(|budget| started.elapsed() > budget);
+        if is_late || observer.interrupted() {
+            break;
+        }
+        let scene = random::case(seed);
+        let trial = studio.judge(&scene, methods)?;
+        for (index, (method, attempt)) in methods.iter().zip(&trial.attempts).enumerate() {
+            let Attempt::Drawn(drawn) = attempt else {
+                continue;
+            };
+            let finding = Finding::of(method.as_ref(), None, drawn);
+            let tally = &mut tallies[index];
+            tally.cases += 1;
+            tally.error += drawn.judgement.error;
+            match finding {
+                Finding::Right => continue,
+                Finding::Declared(_) => tally.declared += 1,
+                Finding::Undeclared => tally.undeclared += 1,
+            }
+            found(&Failure {
+                seed,
+                scene: &scene,
+                method: index,
+                finding,
+                trial: &trial,
+            })?;
+        }
+        observer.advance(1);
+    }
+    Ok(tallies)
+}
