@@ -9,7 +9,10 @@
     reason = "experiment"
 )]
 
+mod cause;
+mod families;
 pub mod random;
 mod trial;
 
+pub use cause::{Cause, CauseError, corpus, find_cause};
 pub use trial::{Attempt, Drawn, Studio, Trial};
