@@ -2,13 +2,19 @@
 //!
 //! A [`Studio`] draws one picture of a scene with several methods and holds the masks against the truth; a
 //! [`Finding`] says whether what came out is a failure, and one that the method declares. All the rest makes
-//! scenes for it: [`random`] ones for [`fuzz`](fuzz()).
+//! scenes for it: the [`corpus`] of causes for [`sweep`](sweep()), [`random`] ones for [`fuzz`](fuzz()).
 
+mod cause;
+mod families;
 mod finding;
 mod fuzz;
 pub mod random;
+pub mod record;
+mod sweep;
 mod trial;
 
+pub use cause::{Cause, CauseError, corpus, find_cause};
 pub use finding::Finding;
 pub use fuzz::{Failure, FuzzPlan, Tally, fuzz};
+pub use sweep::{StressRequest, sweep};
 pub use trial::{Attempt, Drawn, Studio, Trial};

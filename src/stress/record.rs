@@ -1,0 +1,134 @@
+//! The files of a stress run: `stability.json` says what was tried and where, `stability.csv` has a row for
+//! every picture, and the folder `failures` a picture of each method's first failure.
+
+use crate::bench::record::{DeviceRecord, HostRecord};
+use serde::{Deserialize, Serialize};
+
+/// What was tried and where.
+pub const STRESS_FILE: &str = "stability.json";
+/// A row for every picture.
+pub const ROWS_FILE: &str = "stability.csv";
+/// The folder of pictures and scenes of failures.
+pub const FAILURES_DIR: &str = "failures";
+
+/// Layout of these files.
+pub const FORMAT: u32 = 1;
+
+/// What was tried and where (`stability.json`).
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct StressInfo {
+    /// [`FORMAT`] when written by this version.
+    pub format: u32,
+    /// False while the run is under way, and for one that was interrupted.
+    pub complete: bool,
+    /// What the run is about, from the configuration.
+    pub title: String,
+    /// Version of the program.
+    pub program_version: String,
+    /// Git revision of the program; empty when not built from a checkout.
+    pub program_git: String,
+    /// When the run began, in RFC 3339.
+    pub started: String,
+    /// How long it took.
+    pub duration_s: f64,
+    /// The command line, program name first.
+    pub command: Vec<String>,
+    /// The device.
+    pub device: DeviceRecord,
+    /// The machine around the device.
+    pub host: HostRecord,
+    /// Seed of everything random.
+    pub seed: u64,
+    /// Width of the pictures in pixels.
+    pub width: u32,
+    /// Height of the pictures in pixels.
+    pub height: u32,
+    /// Hash over every shader source.
+    pub shader_hash: String,
+    /// The configuration file.
+    pub config_path: String,
+    /// The configuration, word for word.
+    pub config_text: String,
+    /// The causes, in the order in which they were tried.
+    pub causes: Vec<CauseRecord>,
+    /// The methods, in the order of the configuration.
+    pub methods: Vec<StressMethod>,
+}
+
+/// A cause of failure.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct CauseRecord {
+    /// Its id, as in the rows.
+    pub id: String,
+    /// What people call it.
+    pub title: String,
+    /// What its number is.
+    pub number: String,
+    /// Which methods fail in theory, and where.
+    pub why: String,
+    /// The values tried.
+    pub values: Vec<f64>,
+}
+
+/// A method in one variant.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct StressMethod {
+    /// Its id, as in the rows.
+    pub id: String,
+    /// Its parameters that are not at their defaults.
+    pub variant: String,
+    /// The part of the picture that may be wrong before that is a failure.
+    pub tolerated_share: f64,
+}
+
+impl StressMethod {
+    /// Id and variant.
+    pub fn name(&self) -> String {
+        format!("{} {}", self.id, self.variant).trim_end().to_owned()
+    }
+}
+
+/// What became of one picture.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Outcome {
+    /// As right as the method promises.
+    Right,
+    /// Wrong, by a limit that the method declares.
+    Declared,
+    /// Wrong, and nothing said that it would be.
+    Undeclared,
+    /// The method cannot draw this scene on this device.
+    Unavailable,
+}
+
+/// One picture (`stability.csv`).
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct StressRow {
+    /// Id of the cause.
+    pub cause: String,
+    /// Its value.
+    pub value: f64,
+    /// Id of the method.
+    pub method: String,
+    /// Its variant.
+    pub variant: String,
+    /// What became of the picture.
+    pub outcome: Outcome,
+    /// Wrong pixels farther than one pixel from the true shadow boundary.
+    pub artifact_px: u64,
+    /// Wrong pixels within one pixel of it.
+    pub boundary_px: u64,
+    /// Lit, but in shadow by the truth.
+    pub false_lit: u64,
+    /// In shadow, but lit by the truth.
+    pub false_shadowed: u64,
+    /// Left out, because the truth is not certain.
+    pub ambiguous_px: u64,
+    /// Kinds of error and their pixels, `name=count` joined by semicolons.
+    pub kinds: String,
+    /// The limit that declares the failure, or why the method is unavailable.
+    pub reason: String,
+    /// Picture of the failure in the folder `failures`; empty if there is none.
+    pub picture: String,
+}

@@ -1,0 +1,200 @@
+//! The corpus swept: every value of every cause, every method against the truth.
+
+use super::cause::Cause;
+use super::finding::Finding;
+use super::record::{CauseRecord, FAILURES_DIR, Outcome, ROWS_FILE, StressMethod, StressRow};
+use super::trial::{Attempt, Drawn, Studio, Trial};
+use crate::bench::Observer;
+use crate::bench::record::pairs_to_text;
+use crate::image::Image;
+use crate::methods::ShadowMethod;
+use crate::scene::{Scene, export};
+use anyhow::Context;
+use std::path::Path;
+
+/// What to try, and where results go.
+pub struct StressRequest<'a> {
+    /// Draws the pictures.
+    pub studio: &'a Studio<'a>,
+    /// The causes.
+    pub causes: &'a [Cause],
+    /// The methods.
+    pub methods: &'a [Box<dyn ShadowMethod>],
+    /// Seed of what is random in the scenes.
+    pub seed: u64,
+    /// The folder of results; it exists.
+    pub out: &'a Path,
+    /// Told of progress.
+    pub observer: &'a dyn Observer,
+}
+
+impl Cause {
+    /// What results say of it.
+    pub fn record(&self) -> CauseRecord {
+        CauseRecord {
+            id: self.id.clone(),
+            title: self.title.clone(),
+            number: self.number.clone(),
+            why: self.why.split_whitespace().collect::<Vec<_>>().join(" "),
+            values: self.values.clone(),
+        }
+    }
+}
+
+/// Tries every value of every cause with every method; writes `stability.csv` row by row, and into the
+/// folder `failures` the picture and the scene of each method's first failure of a cause. Gives the rows,
+/// fewer if the user interrupted.
+///
+/// # Errors
+/// When a file cannot be written or the device is lost.
+pub fn sweep(request: &StressRequest<'_>) -> anyhow::Result<Vec<StressRow>> {
+    let failures = request.out.join(FAILURES_DIR);
+    std::fs::create_dir_all(&failures)
+        .with_context(|| format!("cannot create {}", failures.display()))?;
+    let path = request.out.join(ROWS_FILE);
+    let mut writer = csv::Writer::from_path(&path)
+        .with_context(|| format!("cannot create {}", path.display()))?;
+    let steps = request.causes.iter().map(|cause| cause.values.len() as u64);
+    request.observer.begin(steps.sum());
+    let mut rows = Vec::new();
+    for cause in request.causes {
+        request.observer.phase(&cause.id);
+        let mut has_failed = vec![false; request.methods.len()];
+        for &value in &cause.values {
+            if request.observer.interrupted() {
+                return Ok(rows);
+            }
+            let place = || format!("cause `{}` at {value}", cause.id);
+            let found = try_value(request, cause, value, &mut has_failed).with_context(place)?;
+            for row in found {
+                writer.serialize(&row)?;
+                rows.push(row);
+            }
+            writer.flush()?;
+            request.observer.advance(1);
+        }
+    }
+    Ok(rows)
+}
+
+/// A row a method; `has_failed` says which methods the cause has brought down before.
+fn try_value(
+    request: &StressRequest<'_>,
+    cause: &Cause,
+    value: f64,
+    has_failed: &mut [bool],
+) -> anyhow::Result<Vec<StressRow>> {
+    let scene = cause.scene(value, request.seed);
+    let trial = request.studio.judge(&scene, request.methods)?;
+    let methods = request.methods.iter().zip(&trial.attempts).zip(has_failed);
+    let row = |((method, attempt), has_failed): ((&Box<dyn ShadowMethod>, _), &mut bool)| {
+        let mut row = row(cause, value, method.as_ref(), attempt);
+        let is_failure = matches!(row.outcome, Outcome::Declared | Outcome::Undeclared);
+        if let (Attempt::Drawn(drawn), true, false) = (attempt, is_failure, *has_failed) {
+            *has_failed = true;
+            row.picture = keep(request, &scene, method.as_ref(), drawn, &trial)?;
+        }
+        Ok(row)
+    };
+    methods.map(row).collect()
+}
+
+fn row(cause: &Cause, value: f64, method: &dyn ShadowMethod, attempt: &Attempt) -> StressRow {
+    let empty = StressRow {
+        cause: cause.id.clone(),
+        value,
+        method: method.info().id.to_owned(),
+        variant: method.variant(),
+        outcome: Outcome::Unavailable,
+        artifact_px: 0,
+        boundary_px: 0,
+        false_lit: 0,
+        false_shadowed: 0,
+        ambiguous_px: 0,
+        kinds: String::new(),
+        reason: String::new(),
+        picture: String::new(),
+    };
+    let drawn = match attempt {
+        Attempt::Drawn(drawn) => drawn,
+        Attempt::Unavailable(reason) => {
+            return StressRow {
+                reason: reason.clone(),
+                ..empty
+            };
+        }
+    };
+    let (outcome, reason) = match Finding::of(method, Some((&cause.id, value)), drawn) {
+        Finding::Right => (Outcome::Right, ""),
+        Finding::Declared(limit) => (Outcome::Declared, limit.text),
+        Finding::Undeclared => (Outcome::Undeclared, ""),
+    };
+    let error = drawn.judgement.error;
+    StressRow {
+        outcome,
+        artifact_px: error.artifact_px,
+        boundary_px: error.boundary_px,
+        false_lit: error.false_lit,
+        false_shadowed: error.false_shadowed,
+        ambiguous_px: error.ambiguous_px,
+        kinds: pairs_to_text(drawn.judgement.analysis.label_counts()),
+        reason: reason.to_owned(),
+        ..empty
+    }
+}
+
+/// Writes truth, mask and errors side by side, and the scene for `svbench render`. Gives the picture's name.
+fn keep(
+    request: &StressRequest<'_>,
+    scene: &Scene,
+    method: &dyn ShadowMethod,
+    drawn: &Drawn,
+    trial: &Trial,
+) -> anyhow::Result<String> {
+    let folder = request.out.join(FAILURES_DIR);
+    let stem = file_name(&scene.name);
+    if !folder.join(format!("{stem}.toml")).exists() {
+        export::write(scene, &folder, &stem)?;
+    }
+    let method = format!("{} {}", method.info().id, method.variant());
+    let name = format!("{}.png", file_name(&format!("{}_{method}", scene.name)));
+    let (width, height) = request.studio.size_px;
+    let truth = trial.truth.to_grey();
+    let rgb = strip(width as usize, &truth, drawn);
+    Image::rgb((3 * width + 2 * GAP_PX as u32, height), &rgb).write_png(&folder.join(&name))?;
+    Ok(name)
+}
+
+/// White pixels between pictures.
+const GAP_PX: usize = 4;
+
+fn strip(width: usize, truth: &[u8], drawn: &Drawn) -> Vec<u8> {
+    let grey = |row: &[u8]| row.iter().flat_map(|value| [*value; 3]).collect::<Vec<u8>>();
+    let gap = [255; 3 * GAP_PX];
+    let rows = truth.chunks(width).zip(drawn.mask.chunks(width));
+    let rows = rows.zip(drawn.judgement.error_map.chunks(3 * width));
+    rows.flat_map(|((truth, mask), errors)| {
+        [&grey(truth), &gap[..], &grey(mask), &gap, errors].concat()
+    })
+    .collect()
+}
+
+/// Letters, digits and what else is safe in the name of a file and in an address.
+fn file_name(text: &str) -> String {
+    let safe = |c: char| {
+        let is_safe = c.is_ascii_alphanumeric() || "-_.".contains(c);
+        if is_safe { c } else { '-' }
+    };
+    text.trim().chars().map(safe).collect()
+}
+
+impl StressMethod {
+    /// What results say of a method.
+    pub fn of(method: &dyn ShadowMethod) -> Self {
+        Self {
+            id: method.info().id.to_owned(),
+            variant: method.variant(),
+            tolerated_share: method.info().tolerated_share,
+        }
+    }
+}
