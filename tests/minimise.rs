@@ -1,0 +1,109 @@
+//! A few triangles that make a method fail, hidden among ten thousand: they are found, and what is written
+//! fails again.
+#![allow(clippy::unwrap_used, clippy::print_stderr, reason = "tests")]
+
+mod common;
+
+use common::{box_edge_on_to_the_light, device, scene_over_ground, view};
+use glam::{Vec3, Vec4};
+use rand::{Rng, RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+use std::time::Instant;
+use svbench::bench::Observer;
+use svbench::gpu::Gpu;
+use svbench::methods::parameters::parse_method;
+use svbench::scene::{ModelSearch, Scene, SceneFile, export};
+use svbench::stress::Studio;
+use svbench::stress::minimise::minimise;
+
+const SIZE_PX: (u32, u32) = (160, 120);
+const HAY: usize = 10_000;
+const MOST_LEFT: usize = 12;
+
+struct Nobody;
+
+impl Observer for Nobody {
+    fn begin(&self, _: u64) {}
+    fn phase(&self, text: &str) {
+        eprintln!("{text}");
+    }
+    fn advance(&self, _: u64) {}
+    fn interrupted(&self) -> bool {
+        false
+    }
+}
+
+fn vector(random: &mut impl Rng, half: f32) -> Vec3 {
+    Vec3::from_array([(); 3].map(|()| random.random_range(-half..half)))
+}
+
+/// Small triangles behind and below the eye of [`view`].
+fn soup(seed: u64) -> Vec<[Vec3; 3]> {
+    let mut random = ChaCha8Rng::seed_from_u64(seed);
+    let triangle = |_| {
+        let centre = Vec3::new(10.0, 2.0, 16.0) + vector(&mut random, 1.9);
+        [(); 3].map(|()| centre + vector(&mut random, 0.3))
+    };
+    (0..HAY).map(triangle).collect()
+}
+
+/// Minimises, writes, reads and draws again.
+fn shrink(gpu: &Gpu, scene: &Scene, method: &str) {
+    let studio = Studio::new(gpu, SIZE_PX);
+    let methods = [parse_method(method).unwrap()];
+    let artifact_px = |scene: &Scene| -> anyhow::Result<u64> {
+        Ok(studio.judge(scene, &methods)?.attempts[0].artifact_px())
+    };
+    let started = Instant::now();
+    let mut fails = |scene: &Scene| Ok(artifact_px(scene)? > 0);
+    let minimised = minimise(scene, &mut fails, &Nobody).unwrap();
+    eprintln!(
+        "{method}: {} of {} triangles, {} vertices, {} trials, {:.1} s",
+        minimised.scene.mesh.triangles.len(),
+        scene.mesh.triangles.len(),
+        minimised.scene.mesh.positions.len(),
+        minimised.trials,
+        started.elapsed().as_secs_f64()
+    );
+    assert!(minimised.finished);
+    assert!(minimised.scene.mesh.triangles.len() <= MOST_LEFT);
+
+    let folder = tempfile::tempdir().unwrap();
+    let path = export::write(&minimised.scene, folder.path(), "left").unwrap();
+    eprintln!(
+        "{}",
+        std::fs::read_to_string(folder.path().join("left.obj")).unwrap()
+    );
+    let search = ModelSearch::for_scene_file(&path);
+    let read = SceneFile::read(&path).unwrap().load(&search).unwrap();
+    assert_eq!(read.mesh_hash, minimised.scene.mesh_hash);
+    assert!(artifact_px(&read).unwrap() > 0);
+}
+
+#[test]
+fn what_hides_the_eye_from_the_light_is_found() {
+    let gpu = device();
+    let light = Vec4::new(1.0, 40.0, 2.0, 1.0);
+    // Between the light and the eye, so that the eye is in a shadow volume.
+    let middle = view().eye.lerp(light.truncate(), 0.25);
+    let corner = |x: f32, z: f32| middle + Vec3::new(0.73 * x, 0.11 * x * z, 0.87 * z);
+    let (a, b, c, d) = (
+        corner(-1.0, -1.0),
+        corner(-1.0, 1.0),
+        corner(1.0, -1.0),
+        corner(1.0, 1.0),
+    );
+    let mut triangles = soup(1);
+    triangles.splice(7001..7001, [[a, b, c], [c, b, d]]);
+    let scene = scene_over_ground(&triangles, 0.0, light, &view());
+    shrink(&gpu, &scene, "silhouette_gs,counting=z_pass");
+}
+
+#[test]
+fn an_edge_on_triangle_that_leaks_is_found() {
+    let gpu = device();
+    let (leaning_box, light) = box_edge_on_to_the_light(29);
+    assert!(leaning_box.len() > HAY);
+    let scene = scene_over_ground(&leaning_box, 0.0, light, &view());
+    shrink(&gpu, &scene, "silhouette_gs,determinism=none");
+}
