@@ -8,6 +8,8 @@ use common::{box_edge_on_to_the_light, device, scene_over_ground, view};
 use glam::{Vec3, Vec4};
 use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
+use std::path::Path;
+use std::process::{Command, Output};
 use std::time::Instant;
 use svbench::bench::Observer;
 use svbench::gpu::Gpu;
@@ -106,4 +108,102 @@ fn an_edge_on_triangle_that_leaks_is_found() {
     assert!(leaning_box.len() > HAY);
     let scene = scene_over_ground(&leaning_box, 0.0, light, &view());
     shrink(&gpu, &scene, "silhouette_gs,determinism=none");
+}
+
+/// A table between the light and the eye, over a ground.
+const TABLE: &str = "o table\nv -3 4 -3\nv -3 4 3\nv 3 4 3\nv 3 4 -3\nf 1 2 3 4\n\
+    o post\nv 1 0 -4\nv 1 2 -4\nv 2 2 -4\nf 5 6 7\n\
+    o ground\nv -9 0 -9\nv -9 0 9\nv 9 0 9\nv 9 0 -9\nf 8 9 10 11\n";
+const SCENE: &str = r#"title = "Table"
+[mesh]
+kind = "obj"
+file = "table.obj"
+up = "y"
+receivers = ["ground"]
+[light]
+position = [0.3, 20.0, 0.2]
+[camera]
+fov_deg = 60.0
+near = 0.1
+keys = [{ time_s = 0.0, eye = [0.1, 2.0, 1.3], target = [0.0, 0.5, -5.0] }]
+"#;
+
+fn svbench(folder: &Path, arguments: &[&str]) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_svbench"));
+    let command = command.current_dir(folder).env("SVBENCH_CACHE", "");
+    command.args(arguments).output().unwrap()
+}
+
+#[test]
+fn the_command_writes_a_scene_that_render_draws_wrong_too() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    std::fs::write(folder.join("table.obj"), TABLE).unwrap();
+    std::fs::write(folder.join("table.toml"), SCENE).unwrap();
+    let of = |method| {
+        [
+            "minimise",
+            "table.toml",
+            "--method",
+            method,
+            "--out",
+            "a folder",
+        ]
+    };
+
+    let said = svbench(folder, &of("silhouette_gs,counting=z_pass"));
+    let text = String::from_utf8_lossy(&said.stdout).into_owned();
+    let errors = String::from_utf8_lossy(&said.stderr);
+    assert!(said.status.success(), "{errors}");
+    for part in [
+        "of 5 triangles are left",
+        "trials in",
+        "wrong pixels: ",
+        "kinds of error: ",
+    ] {
+        assert!(text.contains(part), "no `{part}` in: {text}");
+    }
+    let command = "svbench render 'a folder/table_minimal.toml' \
+                   --method silhouette_gs,counting=z_pass --size 160x120 --error error.png";
+    assert!(text.contains(command), "{text}");
+    #[rustfmt::skip]
+    let render = [
+        "render", "a folder/table_minimal.toml", "--method", "silhouette_gs,counting=z_pass",
+        "--size", "160x120", "--error", "error.png", "--json",
+    ];
+    let drawn = svbench(folder, &render);
+    let counts: serde_json::Value = serde_json::from_slice(&drawn.stdout).unwrap();
+    assert!(
+        counts["errors"]["artifact_px"].as_u64().unwrap() > 0,
+        "{counts}"
+    );
+    assert!(counts["triangles"].as_u64().unwrap() < 3, "{counts}");
+    assert!(folder.join("error.png").is_file());
+}
+
+#[test]
+fn a_scene_that_does_not_fail_is_an_error_and_leaves_nothing() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    std::fs::write(folder.join("table.obj"), TABLE).unwrap();
+    std::fs::write(folder.join("table.toml"), SCENE).unwrap();
+    for (method, parts) in [
+        (
+            "silhouette_gs",
+            ["the scene does not fail", "try another --time"],
+        ),
+        (
+            "shadow_map,slope_bias=search",
+            ["method `shadow_map", "search"],
+        ),
+    ] {
+        let said = svbench(
+            folder,
+            &["minimise", "table.toml", "--method", method, "--out", "out"],
+        );
+        let errors = String::from_utf8_lossy(&said.stderr);
+        assert_eq!(said.status.code(), Some(1), "{errors}");
+        assert!(parts.iter().all(|part| errors.contains(part)), "{errors}");
+    }
+    assert!(!folder.join("out").exists());
 }
