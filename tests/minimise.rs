@@ -72,10 +72,6 @@ fn shrink(gpu: &Gpu, scene: &Scene, method: &str) {
 
     let folder = tempfile::tempdir().unwrap();
     let path = export::write(&minimised.scene, folder.path(), "left").unwrap();
-    eprintln!(
-        "{}",
-        std::fs::read_to_string(folder.path().join("left.obj")).unwrap()
-    );
     let search = ModelSearch::for_scene_file(&path);
     let read = SceneFile::read(&path).unwrap().load(&search).unwrap();
     assert_eq!(read.mesh_hash, minimised.scene.mesh_hash);

@@ -6,7 +6,7 @@ use super::{DeviceArgs, check_size, values};
 use crate::bench::Observer;
 use crate::methods::{ShadowMethod, parameters};
 use crate::scene::{CameraKey, CameraPath, ModelSearch, Scene, SceneFile, View, export};
-use crate::stress::minimise::{MinimiseError, minimise};
+use crate::stress::minimise::{MinimiseError, Minimised, minimise};
 use crate::stress::{Attempt, Drawn, Studio};
 use anyhow::Context;
 use std::path::{Path, PathBuf};
@@ -72,26 +72,9 @@ pub(super) fn execute(args: &MinimiseArgs) -> anyhow::Result<()> {
         progress: &progress,
         deadline: started + Duration::from_secs(args.seconds.into()),
     };
-    let mut unavailable = None;
-    let mut fails = |scene: &Scene| {
-        let attempt = attempt(&studio, scene, &methods)?;
-        if let Attempt::Unavailable(reason) = &attempt {
-            unavailable.get_or_insert_with(|| reason.clone());
-        }
-        Ok(attempt.artifact_px() > 0)
-    };
-    let minimised = minimise(&scene, &mut fails, &watch);
+    let minimised = search(&scene, &studio, &methods, args, &watch);
     progress.finish();
-    let minimised = match (minimised, unavailable) {
-        (Ok(minimised), _) => minimised,
-        (Err(MinimiseError::DoesNotFail), Some(reason)) => {
-            anyhow::bail!("method `{}`: {reason}", args.method)
-        }
-        (Err(error @ MinimiseError::DoesNotFail), None) => {
-            return Err(error).with_context(|| nothing_to_shrink(&scene, args));
-        }
-        (Err(error), _) => return Err(error.into()),
-    };
+    let minimised = minimised?;
 
     let stem = format!("{}_minimal", scene.name);
     let path = export::write(&minimised.scene, &args.out, &stem)?;
@@ -118,6 +101,34 @@ pub(super) fn execute(args: &MinimiseArgs) -> anyhow::Result<()> {
     );
     println!("look at it: {}", look_at_it(&path, args));
     args.device.check_validation()
+}
+
+/// The scene as small as can be, or in words why not.
+fn search(
+    scene: &Scene,
+    studio: &Studio<'_>,
+    methods: &[Box<dyn ShadowMethod>; 1],
+    args: &MinimiseArgs,
+    watch: &Limited<'_>,
+) -> anyhow::Result<Minimised> {
+    let mut unavailable = None;
+    let mut fails = |scene: &Scene| {
+        let attempt = attempt(studio, scene, methods)?;
+        if let Attempt::Unavailable(reason) = &attempt {
+            unavailable.get_or_insert_with(|| reason.clone());
+        }
+        Ok(attempt.artifact_px() > 0)
+    };
+    match (minimise(scene, &mut fails, watch), unavailable) {
+        (Ok(minimised), _) => Ok(minimised),
+        (Err(MinimiseError::DoesNotFail), Some(reason)) => {
+            anyhow::bail!("method `{}`: {reason}", args.method)
+        }
+        (Err(error @ MinimiseError::DoesNotFail), None) => {
+            Err(error).with_context(|| nothing_to_shrink(scene, args))
+        }
+        (Err(error), _) => Err(error.into()),
+    }
 }
 
 /// The scene with a camera that does not move.
