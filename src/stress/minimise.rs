@@ -211,7 +211,7 @@ impl Search<'_> {
                 let point = place.get(&scene).to_array().map(round);
                 place.set(&mut scene, Vec3::from_array(point));
             }
-            let candidate = remade(scene).filter(|scene| *scene != self.best);
+            let candidate = remade(&scene).filter(|scene| *scene != self.best);
             if let Some(candidate) = candidate
                 && self.try_out(candidate)?
             {
@@ -228,7 +228,7 @@ impl Search<'_> {
             let mut point = point;
             point[axis] = number;
             place.set(&mut scene, point);
-            if let Some(candidate) = remade(scene)
+            if let Some(candidate) = remade(&scene)
                 && self.try_out(candidate)?
             {
                 break;
@@ -284,8 +284,8 @@ fn with_triangles(scene: &Scene, keep: impl Fn(usize) -> bool) -> Scene {
 }
 
 /// The scene made anew of its points, if it still is one.
-fn remade(scene: Scene) -> Option<Scene> {
-    let scene = with_triangles(&scene, |_| true);
+fn remade(scene: &Scene) -> Option<Scene> {
+    let scene = with_triangles(scene, |_| true);
     let light =
         scene.light.is_finite() && (scene.light.w != 0.0 || scene.light.truncate() != Vec3::ZERO);
     let mesh = scene.mesh.positions.iter().all(|p| p.is_finite());
