@@ -27,11 +27,16 @@ pub fn nearest<'a>(unknown: &str, known: impl IntoIterator<Item = &'a str>) -> O
     (distance(&nearest) * 3 <= unknown.chars().count().max(3)).then_some(nearest)
 }
 
-/// A message about a part of the text: `file:line:column: message`.
+/// A message about a part of the text: `file:line:column: message`, see [`place`].
+pub fn at(span: &Range<usize>, message: &str, text: &str, file: &str) -> String {
+    format!("{}: {message}", place(span, text, file))
+}
+
+/// Where a part of the text begins: `file:line:column`.
 ///
 /// Lines and columns count from 1, columns in characters. The span is one that the parser gave, as
 /// from `toml::Spanned`.
-pub fn at(span: &Range<usize>, message: &str, text: &str, file: &str) -> String {
+pub fn place(span: &Range<usize>, text: &str, file: &str) -> String {
     let before = text.get(..span.start).unwrap_or(text);
     let line = before.matches('\n').count() + 1;
     let column = before
@@ -39,7 +44,7 @@ pub fn at(span: &Range<usize>, message: &str, text: &str, file: &str) -> String 
         .next()
         .map_or(0, |start| start.chars().count())
         + 1;
-    format!("{file}:{line}:{column}: {message}")
+    format!("{file}:{line}:{column}")
 }
 
 /// The known name most like the unknown one that the message is about, if one is like it.

@@ -2,10 +2,12 @@
 
 mod accuracy;
 mod list;
+mod minimise;
 mod progress;
 mod render;
 mod report;
 mod run;
+mod shot;
 mod values;
 
 use crate::config::ConfigError;
@@ -37,6 +39,8 @@ enum Command {
     Accuracy(accuracy::AccuracyArgs),
     /// Draw one frame with one method, and compare it with the truth.
     Render(render::RenderArgs),
+    /// Shrink a scene that a method draws wrong to the few triangles that matter.
+    Minimise(minimise::MinimiseArgs),
     /// List methods, scenes and devices.
     List(list::ListArgs),
     /// Write the report of a run directory again, or one of several runs together.
@@ -97,6 +101,7 @@ impl Cli {
             Command::Run(args) => run::execute(&args, None),
             Command::Accuracy(args) => accuracy::execute(&args),
             Command::Render(args) => render::execute(&args),
+            Command::Minimise(args) => minimise::execute(&args),
             Command::List(args) => list::execute(&args),
             Command::Report(args) => report::execute(&args),
         }

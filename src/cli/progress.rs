@@ -23,6 +23,11 @@ impl Progress {
     /// Starts listening for Ctrl-C: the first one asks the run to stop after the frame under way,
     /// the second ends the program.
     pub(super) fn new() -> anyhow::Result<Self> {
+        Self::counting("frames")
+    }
+
+    /// The same where other things than frames are counted.
+    pub(super) fn counting(things: &str) -> anyhow::Result<Self> {
         let interrupted = Arc::new(AtomicBool::new(false));
         let flag = Arc::clone(&interrupted);
         ctrlc::set_handler(move || {
@@ -36,8 +41,8 @@ impl Progress {
         if plain {
             bar.set_draw_target(ProgressDrawTarget::hidden());
         }
-        let style = "{bar:30} {pos}/{len} frames, {eta} left  {msg}";
-        bar.set_style(ProgressStyle::with_template(style)?);
+        let style = format!("{{bar:30}} {{pos}}/{{len}} {things}, {{eta}} left  {{msg}}");
+        bar.set_style(ProgressStyle::with_template(&style)?);
         Ok(Self {
             bar,
             plain,

@@ -1,49 +1,25 @@
 //! `svbench render SCENE --method ID`
 
+use super::shot::{ShotArgs, kinds_of_error, wrong_pixels};
 use super::{DeviceArgs, check_size, reference_cache, values};
 use crate::bench::Verifier;
-use crate::config::{ConfigError, find_scene};
 use crate::frame::Stage;
 use crate::gpu::{FrameTimer, StageTimes};
 use crate::image::Image;
 use crate::methods::{MethodError, PrepareContext, parameters};
 use crate::metrics::MaskError;
-use crate::scene::{Scene, Up, View};
 use anyhow::Context;
-use glam::{Vec3, Vec4};
 use serde::Serialize;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// Arguments of `svbench render`.
 #[derive(Debug, clap::Args)]
 pub(super) struct RenderArgs {
-    /// A scene: its TOML file, the name of one that comes with the program, or an OBJ file
-    scene: String,
+    #[command(flatten)]
+    shot: ShotArgs,
     /// The method, with parameters if any
     #[arg(long, value_name = "ID[,key=value...]")]
     method: String,
-    /// Position of the camera instead of the scene's
-    #[arg(long, value_name = "X,Y,Z", value_parser = values::vec3, allow_hyphen_values = true)]
-    eye: Option<Vec3>,
-    /// Point in the middle of the picture
-    #[arg(long, value_name = "X,Y,Z", value_parser = values::vec3, allow_hyphen_values = true)]
-    target: Option<Vec3>,
-    /// Which way is up
-    #[arg(long, value_name = "X,Y,Z", value_parser = values::vec3, allow_hyphen_values = true)]
-    up: Option<Vec3>,
-    /// Vertical field of view in degrees
-    #[arg(long, value_name = "DEG", allow_negative_numbers = true)]
-    fov: Option<f32>,
-    /// Distance of the near plane
-    #[arg(long, value_name = "N", allow_negative_numbers = true)]
-    near: Option<f32>,
-    /// Time on the scene's flight, instead of a camera
-    #[arg(long, value_name = "SECONDS", allow_negative_numbers = true)]
-    #[arg(conflicts_with_all = ["eye", "target"])]
-    time: Option<f64>,
-    /// The light instead of the scene's: a point, or with W = 0 the direction towards it
-    #[arg(long, value_name = "X,Y,Z[,W]", value_parser = values::light, allow_hyphen_values = true)]
-    light: Option<Vec4>,
     /// Size of the picture
     #[arg(long, value_name = "WxH", value_parser = values::size, default_value = "1024x768")]
     size: (u32, u32),
@@ -99,8 +75,8 @@ struct Output<'a> {
 #[allow(clippy::print_stdout, reason = "the counts are this command's result")]
 pub(super) fn execute(args: &RenderArgs) -> anyhow::Result<()> {
     let method = parameters::parse_method(&args.method)?;
-    let scene = load_scene(args)?;
-    let view = view(args, &scene)?;
+    let scene = args.shot.load()?;
+    let view = args.shot.view(&scene)?;
     let gpu = args.device.open()?;
     let (width, height) = args.size;
     check_size(&gpu, args.size, "--size")?;
@@ -157,46 +133,10 @@ pub(super) fn execute(args: &RenderArgs) -> anyhow::Result<()> {
     if args.json {
         println!("{}", serde_json::to_string_pretty(&output)?);
     } else {
-        print!("{}", text(&output, &times));
+        let kinds = kinds_of_error(judgement.analysis.label_counts());
+        print!("{}", text(&output, &kinds, &times));
     }
     args.device.check_validation()
-}
-
-fn load_scene(args: &RenderArgs) -> anyhow::Result<Scene> {
-    let path = Path::new(&args.scene);
-    let scene = if path
-        .extension()
-        .is_some_and(|e| e.eq_ignore_ascii_case("obj"))
-    {
-        Scene::from_obj(path, Up::Y)?
-    } else {
-        let plan = find_scene(&args.scene, Path::new(""))?;
-        plan.file.load(&plan.search)?
-    };
-    Ok(match args.light {
-        Some(light) => scene.with_light(light),
-        None => scene,
-    })
-}
-
-fn view(args: &RenderArgs, scene: &Scene) -> anyhow::Result<View> {
-    let time_s = args.time.unwrap_or(0.0);
-    let duration_s = scene.camera.duration_s();
-    if !(0.0..=duration_s).contains(&time_s) {
-        let message = format!("--time: the flight lasts from 0 to {duration_s} s, not to {time_s}");
-        return Err(ConfigError(message).into());
-    }
-    let path = scene.camera.view_at(time_s);
-    let view = View {
-        eye: args.eye.unwrap_or(path.eye),
-        target: args.target.unwrap_or(path.target),
-        up: args.up.unwrap_or(path.up),
-        fov_y_rad: args.fov.map_or(path.fov_y_rad, f32::to_radians),
-        near: args.near.unwrap_or(path.near),
-    };
-    view.validate()
-        .map_err(|error| ConfigError(format!("camera: {error}")))?;
-    Ok(view)
 }
 
 fn stages(times: &StageTimes) -> Counts {
@@ -207,8 +147,7 @@ fn stages(times: &StageTimes) -> Counts {
         .collect()
 }
 
-fn text(output: &Output<'_>, times: &StageTimes) -> String {
-    let errors = &output.errors;
+fn text(output: &Output<'_>, kinds: &str, times: &StageTimes) -> String {
     let mut text = format!(
         "{} {} on {}: {} triangles, {} objects, {} × {} pixels\n",
         output.method,
@@ -219,19 +158,8 @@ fn text(output: &Output<'_>, times: &StageTimes) -> String {
         output.width,
         output.height,
     );
-    text.push_str(&format!(
-        "wrong pixels: {} ({} false lit, {} false shadowed; {} artifacts), {} ambiguous\n",
-        errors.wrong_px(),
-        errors.false_lit,
-        errors.false_shadowed,
-        errors.artifact_px,
-        errors.ambiguous_px,
-    ));
-    if !output.labels.is_empty() {
-        let kinds = output.labels.iter();
-        let kinds: Vec<_> = kinds.map(|(word, px)| format!("{px} {word}")).collect();
-        text.push_str(&format!("kinds of error: {}\n", kinds.join(", ")));
-    }
+    text.push_str(&wrong_pixels(&output.errors));
+    text.push_str(kinds);
     let stages: Vec<_> = times
         .stages
         .iter()

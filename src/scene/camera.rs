@@ -17,6 +17,12 @@ pub struct View {
     pub near: f32,
 }
 
+/// Degrees as the nearest radians. Every number of radians has degrees that give it; with degrees of 32
+/// bits, some had none.
+pub fn radians(degrees: f64) -> f32 {
+    degrees.to_radians() as f32
+}
+
 /// Why there is no picture from a camera.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum CameraError {

@@ -32,6 +32,14 @@ fn path(times_s: &[f64]) -> CameraPath {
 }
 
 #[test]
+fn whole_degrees_are_the_radians_that_32_bits_make_of_them() {
+    for degrees in [30u8, 45, 50, 60, 90] {
+        let narrow = f32::from(degrees).to_radians();
+        assert_eq!(radians(f64::from(degrees)), narrow, "{degrees}");
+    }
+}
+
+#[test]
 fn the_z_row_is_exact_and_depth_is_reversed() {
     let view = view();
     for matrix in [view.projection(1.6), view.view_projection(1.6)] {

@@ -1,6 +1,7 @@
 //! Scene files: TOML that names a mesh, a light and a camera path.
 
 use std::fs;
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use glam::Vec4;
@@ -46,7 +47,18 @@ pub enum MeshSource {
         up: Up,
         /// Where to get it.
         origin: Option<String>,
+        /// The objects in it that only receive shadows; all others cast.
+        receivers: Vec<Receiver>,
     },
+}
+
+/// An object of a model that receives shadows and casts none.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Receiver {
+    /// Its name in the model file; every object of that name is meant.
+    pub name: String,
+    /// Where the scene file says so, for errors: `file:line:column`.
+    pub place: String,
 }
 
 /// Counts that tell whether the mesh is the right one; receivers are not counted.
@@ -75,7 +87,8 @@ impl SceneFile {
             SceneError::Invalid(toml_error::describe(&error, text, name_for_errors))
         })?;
         let stem = Path::new(name_for_errors).file_stem().unwrap_or_default();
-        wire.check(stem.to_string_lossy().into_owned())
+        let place = |span: &Range<usize>| toml_error::place(span, text, name_for_errors);
+        wire.check(stem.to_string_lossy().into_owned(), &place)
             .map_err(|Misplaced { span, message }| {
                 SceneError::Invalid(toml_error::at(&span, &message, text, name_for_errors))
             })
@@ -153,18 +166,47 @@ impl SceneFile {
                 scene: scene(),
                 source,
             }),
-            MeshSource::Obj { file, up, origin } => {
+            MeshSource::Obj {
+                file,
+                up,
+                origin,
+                receivers,
+            } => {
                 let path = search.find(file).ok_or_else(|| SceneError::MissingModel {
                     file: file.clone(),
                     searched: search.candidates(file),
                     origin: origin.clone(),
                 })?;
-                obj::load(&path, *up).map_err(|source| SceneError::Model {
+                let mut mesh = obj::load(&path, *up).map_err(|source| SceneError::Model {
                     scene: scene(),
                     source,
-                })
+                })?;
+                for receiver in receivers {
+                    receiver.mark(&mut mesh)?;
+                }
+                Ok(mesh)
             }
         }
+    }
+}
+
+impl Receiver {
+    /// Makes receivers of the objects of that name.
+    fn mark(&self, mesh: &mut Mesh) -> Result<(), SceneError> {
+        let Self { name, place } = self;
+        if !mesh.objects.iter().any(|object| object.name == *name) {
+            let names = mesh.objects.iter().map(|object| object.name.as_str());
+            return Err(SceneError::UnknownReceiver {
+                place: place.clone(),
+                name: name.clone(),
+                nearest: toml_error::nearest(name, names).map(str::to_owned),
+            });
+        }
+        let meant = mesh.objects.iter_mut();
+        for object in meant.filter(|object| object.name == *name) {
+            object.casts_shadow = false;
+        }
+        Ok(())
     }
 }
 

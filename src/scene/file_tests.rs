@@ -178,6 +178,36 @@ fn a_model_is_found_or_its_absence_explained() {
     assert!(error_of_missing_up().contains("needs `up`"));
 }
 
+#[test]
+fn receivers_are_named_and_cast_nothing() {
+    let folder = tempfile::tempdir().unwrap();
+    let triangle = "f 1 2 3\n";
+    let objects = ["wall", "ground", "wall", "tree"].map(|name| format!("o {name}\n{triangle}"));
+    let text = format!("v 0 0 0\nv 1 0 0\nv 0 0 1\n{}", objects.concat());
+    fs::write(folder.path().join("one.obj"), text).unwrap();
+    let search = ModelSearch {
+        folders: vec![folder.path().to_owned()],
+    };
+    let file = |receivers: &str| {
+        let mesh = format!("file = \"one.obj\"\nup = \"y\"\nreceivers = {receivers}");
+        SceneFile::parse(&obj_scene(&mesh), "scenes/one.toml")
+    };
+    let scene = file("[\"wall\", \"ground\"]").unwrap().load(&search);
+    let mesh = scene.unwrap().mesh;
+    let casts: Vec<_> = mesh.objects.iter().map(|o| o.casts_shadow).collect();
+    assert_eq!(casts, [false, false, false, true]);
+
+    let unknown = file("[\n  \"wall\",\n  \"gruond\",\n]").unwrap();
+    assert_eq!(
+        unknown.load(&search).unwrap_err().to_string(),
+        "scenes/one.toml:8:3: the model has no object `gruond`; did you mean `ground`?"
+    );
+    let twice = file("[\"wall\", \"wall\"]").unwrap_err().to_string();
+    assert_eq!(twice, "scenes/one.toml:6:22: `wall` stands here twice");
+    let grid = error_after("rows = 1", "rows = 1\nreceivers = []");
+    assert!(grid.starts_with("scenes/two.toml:5:13: `receivers` belongs to kind = \"obj\""));
+}
+
 fn error_of_missing_up() -> String {
     error(&obj_scene("file = \"one.obj\""))
 }

@@ -1,6 +1,7 @@
 //! What is drawn: a mesh, a light and a camera path, from a scene file or a model file.
 
 pub mod camera;
+pub mod export;
 pub mod file;
 pub mod mesh;
 pub mod model_search;
@@ -17,6 +18,7 @@ use std::path::Path;
 use glam::{Vec3, Vec4};
 
 pub use camera::{CameraKey, CameraPath, View};
+pub use export::ExportError;
 pub use file::SceneFile;
 pub use mesh::{Mesh, Object};
 pub use model_search::ModelSearch;

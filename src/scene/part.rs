@@ -50,6 +50,24 @@ impl Part {
     }
 }
 
+impl Mesh {
+    /// The mesh of those triangles whose numbers `keep` takes, made of [`Part`]s: without the vertices and
+    /// objects that no triangle uses, vertices at one place in an object being one, numbered as the triangles
+    /// first use them.
+    #[must_use]
+    pub fn filtered(&self, keep: impl Fn(usize) -> bool) -> Self {
+        let part = |object: &Object| {
+            let kept = object.triangle_range().filter(|triangle| keep(*triangle));
+            let corners: Vec<_> = kept.map(|triangle| self.corners(triangle)).collect();
+            Part {
+                casts_shadow: object.casts_shadow,
+                ..Part::of_triangles(&object.name, &corners)
+            }
+        };
+        self.objects.iter().map(part).collect()
+    }
+}
+
 impl FromIterator<Part> for Mesh {
     /// An object for each part that has triangles.
     fn from_iter<I: IntoIterator<Item = Part>>(parts: I) -> Self {

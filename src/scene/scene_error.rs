@@ -39,6 +39,16 @@ pub enum SceneError {
         /// What is wrong with the file.
         source: ObjError,
     },
+    /// No object of the model has the name of a receiver.
+    #[error("{}", unknown_receiver(place, name, nearest.as_deref()))]
+    UnknownReceiver {
+        /// Where the scene file names it.
+        place: String,
+        /// The name.
+        name: String,
+        /// The name that was probably meant.
+        nearest: Option<String>,
+    },
     /// Rows, columns or slices that no sphere grid can have.
     #[error("scene {scene}: no such sphere grid")]
     SphereGrid {
@@ -73,6 +83,13 @@ pub enum SceneError {
         /// Objects that do.
         objects: u64,
     },
+}
+
+fn unknown_receiver(place: &str, name: &str, nearest: Option<&str>) -> String {
+    let hint = nearest.map_or(String::new(), |nearest| {
+        format!("; did you mean `{nearest}`?")
+    });
+    format!("{place}: the model has no object `{name}`{hint}")
 }
 
 fn missing_model(file: &Path, searched: &[PathBuf], origin: Option<&str>) -> String {

@@ -7,8 +7,8 @@ use glam::{Vec3, Vec4};
 use serde::Deserialize;
 use toml::Spanned;
 
-use super::camera::{CameraError, CameraKey, CameraPath};
-use super::file::{Expect, MeshSource, SceneFile};
+use super::camera::{CameraError, CameraKey, CameraPath, radians};
+use super::file::{Expect, MeshSource, Receiver, SceneFile};
 use super::obj::Up;
 use super::sphere_grid::SphereGrid;
 use crate::toml_array::Exactly;
@@ -37,11 +37,16 @@ pub(super) struct FileWire {
 }
 
 impl FileWire {
-    pub(super) fn check(self, name: String) -> Result<SceneFile, Misplaced> {
+    /// `place` says in words where a span is, for what only the model can show to be wrong.
+    pub(super) fn check(
+        self,
+        name: String,
+        place: &dyn Fn(&Range<usize>) -> String,
+    ) -> Result<SceneFile, Misplaced> {
         Ok(SceneFile {
             name,
             title: self.title,
-            mesh: self.mesh.check()?,
+            mesh: self.mesh.check(place)?,
             expect: self.expect,
             light: self.light.check()?,
             camera: self.camera.check()?,
@@ -67,10 +72,11 @@ struct MeshWire {
     file: Option<Spanned<PathBuf>>,
     up: Option<Spanned<Up>>,
     source: Option<Spanned<String>>,
+    receivers: Option<Spanned<Vec<Spanned<String>>>>,
 }
 
 impl MeshWire {
-    fn check(self) -> Result<MeshSource, Misplaced> {
+    fn check(self, place: &dyn Fn(&Range<usize>) -> String) -> Result<MeshSource, Misplaced> {
         let Self {
             kind,
             rows,
@@ -79,6 +85,7 @@ impl MeshWire {
             file,
             up,
             source,
+            receivers,
         } = self;
         let needed = |key: &str| misplaced(&kind, &format!("this kind of mesh needs `{key}`"));
         match *kind.get_ref() {
@@ -87,8 +94,9 @@ impl MeshWire {
                     span_of("file", &file),
                     span_of("up", &up),
                     span_of("source", &source),
+                    span_of("receivers", &receivers),
                 ];
-                refuse(strangers, "obj")?;
+                refuse(&strangers, "obj")?;
                 let grid = SphereGrid {
                     rows: rows.ok_or_else(|| needed("rows"))?.into_inner(),
                     columns: columns.ok_or_else(|| needed("columns"))?.into_inner(),
@@ -103,15 +111,34 @@ impl MeshWire {
                     span_of("columns", &columns),
                     span_of("slices", &slices),
                 ];
-                refuse(strangers, "sphere_grid")?;
+                refuse(&strangers, "sphere_grid")?;
                 Ok(MeshSource::Obj {
                     file: file.ok_or_else(|| needed("file"))?.into_inner(),
                     up: up.ok_or_else(|| needed("up"))?.into_inner(),
                     origin: source.map(Spanned::into_inner),
+                    receivers: receivers.map_or(Ok(Vec::new()), |names| {
+                        check_receivers(names.into_inner(), place)
+                    })?,
                 })
             }
         }
     }
+}
+
+fn check_receivers(
+    names: Vec<Spanned<String>>,
+    place: &dyn Fn(&Range<usize>) -> String,
+) -> Result<Vec<Receiver>, Misplaced> {
+    let mut receivers: Vec<Receiver> = Vec::with_capacity(names.len());
+    for spanned in names {
+        let name = spanned.get_ref().clone();
+        if receivers.iter().any(|receiver| receiver.name == name) {
+            return Err(misplaced(&spanned, &format!("`{name}` stands here twice")));
+        }
+        let place = place(&spanned.span());
+        receivers.push(Receiver { name, place });
+    }
+    Ok(receivers)
 }
 
 fn span_of<T>(
@@ -122,12 +149,13 @@ fn span_of<T>(
 }
 
 fn refuse(
-    keys: [Option<(&'static str, Range<usize>)>; 3],
+    keys: &[Option<(&'static str, Range<usize>)>],
     other_kind: &str,
 ) -> Result<(), Misplaced> {
-    match keys.into_iter().flatten().next() {
+    match keys.iter().flatten().next() {
         Some((key, span)) => {
             let message = format!("`{key}` belongs to kind = \"{other_kind}\"; remove it");
+            let span = span.clone();
             Err(Misplaced { span, message })
         }
         None => Ok(()),
@@ -167,7 +195,7 @@ impl LightWire {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct CameraWire {
-    fov_deg: Spanned<f32>,
+    fov_deg: Spanned<f64>,
     near: Spanned<f32>,
     #[serde(default)]
     up: Option<Spanned<Exactly<f32, 3>>>,
@@ -202,7 +230,7 @@ impl CameraWire {
                 .up
                 .as_ref()
                 .map_or(Vec3::Y, |up| Vec3::from_array(up.get_ref().0)),
-            fov_y_rad: self.fov_deg.get_ref().to_radians(),
+            fov_y_rad: radians(*self.fov_deg.get_ref()),
             near: *self.near.get_ref(),
         };
         path.validate().map_err(|error| {

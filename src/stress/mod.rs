@@ -2,14 +2,17 @@
 //!
 //! A [`Studio`] draws one picture of a scene with several methods and holds the masks against the truth; a
 //! [`Finding`] says whether what came out is a failure, and one that the method declares. All the rest makes
-//! scenes for it: the [`corpus`] of causes for [`sweep`](sweep()), [`random`] ones for [`fuzz`](fuzz()).
+//! scenes for it: the [`corpus`] of causes for [`sweep`](sweep()), [`random`] ones for [`fuzz`](fuzz()), and
+//! ever smaller ones, until only what fails is left, for [`minimise`](fn@minimise::minimise).
 
 mod cause;
 mod families;
 mod finding;
 mod fuzz;
+pub mod minimise;
 pub mod random;
 pub mod record;
+mod simpler;
 mod sweep;
 mod trial;
 

@@ -84,7 +84,9 @@ pub struct StressMethod {
 impl StressMethod {
     /// Id and variant.
     pub fn name(&self) -> String {
-        format!("{} {}", self.id, self.variant).trim_end().to_owned()
+        format!("{} {}", self.id, self.variant)
+            .trim_end()
+            .to_owned()
     }
 }
 

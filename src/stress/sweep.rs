@@ -169,7 +169,11 @@ fn keep(
 const GAP_PX: usize = 4;
 
 fn strip(width: usize, truth: &[u8], drawn: &Drawn) -> Vec<u8> {
-    let grey = |row: &[u8]| row.iter().flat_map(|value| [*value; 3]).collect::<Vec<u8>>();
+    let grey = |row: &[u8]| {
+        row.iter()
+            .flat_map(|value| [*value; 3])
+            .collect::<Vec<u8>>()
+    };
     let gap = [255; 3 * GAP_PX];
     let rows = truth.chunks(width).zip(drawn.mask.chunks(width));
     let rows = rows.zip(drawn.judgement.error_map.chunks(3 * width));

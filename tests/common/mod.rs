@@ -90,3 +90,36 @@ pub(crate) fn scene_over_ground(
         camera,
     )
 }
+
+/// A leaning box of six faces of 2 × `side` × `side` triangles, with the light in the plane of one face as
+/// nearly as single precision can say: which way that face's triangles face is all rounding.
+pub(crate) fn box_edge_on_to_the_light(side: u32) -> (Vec<[Vec3; 3]>, Vec4) {
+    let origin = Vec3::new(-1.3, 0.4, -0.7);
+    let axes = [
+        Vec3::new(2.1, 0.13, 0.9),
+        Vec3::new(0.17, 1.9, 0.31),
+        Vec3::new(-0.4, 0.05, 1.1),
+    ];
+    // Every point of the lattice is computed in one way, so that faces meet.
+    let at = |p: [u32; 3]| {
+        let step = |k: usize| axes[k] * (p[k] as f32 / side as f32);
+        origin + step(0) + step(1) + step(2)
+    };
+    let mut triangles = Vec::new();
+    for normal in 0..3 {
+        let (u, v) = ((normal + 1) % 3, (normal + 2) % 3);
+        for (i, j, end) in (0..side).flat_map(|i| (0..2 * side).map(move |j| (i, j / 2, j % 2))) {
+            let corner = |di: u32, dj: u32| {
+                let mut p = [0; 3];
+                p[normal] = end * side;
+                p[u] = i + di;
+                p[v] = j + dj;
+                at(p)
+            };
+            let [a, b, c, d] = [corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)];
+            triangles.extend([[a, b, c], [a, c, d]]);
+        }
+    }
+    let light = origin + axes[0] * 0.6 + axes[1] * 4.3;
+    (triangles, light.extend(1.0))
+}

@@ -1,0 +1,231 @@
+//! `svbench minimise SCENE --method ID`
+
+use super::progress::Progress;
+use super::shot::{ShotArgs, kinds_of_error, wrong_pixels};
+use super::{DeviceArgs, check_size, values};
+use crate::bench::Observer;
+use crate::methods::{ShadowMethod, parameters};
+use crate::scene::{CameraKey, CameraPath, ModelSearch, Scene, SceneFile, View, export};
+use crate::stress::minimise::{MinimiseError, Minimised, minimise};
+use crate::stress::{Attempt, Drawn, Studio};
+use anyhow::Context;
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+/// Arguments of `svbench minimise`.
+#[derive(Debug, clap::Args)]
+pub(super) struct MinimiseArgs {
+    #[command(flatten)]
+    shot: ShotArgs,
+    /// The method that draws it wrong, with parameters if any
+    #[arg(long, value_name = "ID[,key=value...]")]
+    method: String,
+    /// Size of the picture
+    #[arg(long, value_name = "WxH", value_parser = values::size, default_value = "160x120")]
+    size: (u32, u32),
+    /// Folder of the scene that is left, `<scene>_minimal.toml` and `.obj`
+    #[arg(long, value_name = "DIR", default_value = ".")]
+    out: PathBuf,
+    /// Time after which it ends with what there is
+    #[arg(long, value_name = "BUDGET", default_value = "60")]
+    seconds: u32,
+    #[command(flatten)]
+    device: DeviceArgs,
+}
+
+/// Progress that also ends when the time is up.
+struct Limited<'a> {
+    progress: &'a Progress,
+    deadline: Instant,
+}
+
+impl Observer for Limited<'_> {
+    fn begin(&self, steps: u64) {
+        self.progress.begin(steps);
+    }
+
+    fn phase(&self, text: &str) {
+        self.progress.phase(text);
+    }
+
+    fn advance(&self, steps: u64) {
+        self.progress.advance(steps);
+    }
+
+    fn interrupted(&self) -> bool {
+        self.progress.interrupted() || Instant::now() >= self.deadline
+    }
+}
+
+#[allow(clippy::print_stdout, reason = "what is left is this command's result")]
+pub(super) fn execute(args: &MinimiseArgs) -> anyhow::Result<()> {
+    let methods = [parameters::parse_method(&args.method)?];
+    let scene = args.shot.load()?;
+    let view = args.shot.view(&scene)?;
+    let scene = still(scene, &view, &args.method);
+    let gpu = args.device.open()?;
+    check_size(&gpu, args.size, "--size")?;
+    let studio = Studio::new(&gpu, args.size);
+    let progress = Progress::counting("triangles left out")?;
+    let started = Instant::now();
+    let watch = Limited {
+        progress: &progress,
+        deadline: started + Duration::from_secs(args.seconds.into()),
+    };
+    let minimised = search(&scene, &studio, &methods, args, &watch);
+    progress.finish();
+    let minimised = minimised?;
+
+    let stem = format!("{}_minimal", scene.name);
+    let path = export::write(&minimised.scene, &args.out, &stem)?;
+    let drawn = judge_again(&studio, &path, &minimised.scene, &methods)?;
+    let (left, all) = (&minimised.scene.mesh, &scene.mesh);
+    println!(
+        "{} of {} triangles are left, {} of {} vertices, after {} trials in {:.1} s{}",
+        left.triangles.len(),
+        all.triangles.len(),
+        left.positions.len(),
+        all.positions.len(),
+        minimised.trials,
+        started.elapsed().as_secs_f64(),
+        if minimised.finished {
+            ""
+        } else {
+            "; stopped before the end"
+        },
+    );
+    print!("{}", wrong_pixels(&drawn.judgement.error));
+    print!(
+        "{}",
+        kinds_of_error(drawn.judgement.analysis.label_counts())
+    );
+    println!("look at it: {}", look_at_it(&path, args));
+    args.device.check_validation()
+}
+
+/// The scene as small as can be, or in words why not.
+fn search(
+    scene: &Scene,
+    studio: &Studio<'_>,
+    methods: &[Box<dyn ShadowMethod>; 1],
+    args: &MinimiseArgs,
+    watch: &Limited<'_>,
+) -> anyhow::Result<Minimised> {
+    let mut unavailable = None;
+    let mut fails = |scene: &Scene| {
+        let attempt = attempt(studio, scene, methods)?;
+        if let Attempt::Unavailable(reason) = &attempt {
+            unavailable.get_or_insert_with(|| reason.clone());
+        }
+        Ok(attempt.artifact_px() > 0)
+    };
+    match (minimise(scene, &mut fails, watch), unavailable) {
+        (Ok(minimised), _) => Ok(minimised),
+        (Err(MinimiseError::DoesNotFail), Some(reason)) => {
+            anyhow::bail!("method `{}`: {reason}", args.method)
+        }
+        (Err(error @ MinimiseError::DoesNotFail), None) => {
+            Err(error).with_context(|| nothing_to_shrink(scene, args))
+        }
+        (Err(error), _) => Err(error.into()),
+    }
+}
+
+/// The scene with a camera that does not move.
+fn still(scene: Scene, view: &View, method: &str) -> Scene {
+    let View {
+        eye,
+        target,
+        up,
+        fov_y_rad,
+        near,
+    } = *view;
+    let time_s = 0.0;
+    Scene {
+        title: format!("{}, what is left where {method} fails", scene.title),
+        camera: CameraPath {
+            keys: vec![CameraKey {
+                time_s,
+                eye,
+                target,
+            }],
+            up,
+            fov_y_rad,
+            near,
+        },
+        ..scene
+    }
+}
+
+fn attempt(
+    studio: &Studio<'_>,
+    scene: &Scene,
+    methods: &[Box<dyn ShadowMethod>; 1],
+) -> anyhow::Result<Attempt> {
+    let attempts = studio.judge(scene, methods)?.attempts;
+    attempts
+        .into_iter()
+        .next()
+        .context("a method has an attempt")
+}
+
+fn nothing_to_shrink(scene: &Scene, args: &MinimiseArgs) -> String {
+    let (width, height) = args.size;
+    format!(
+        "no artifact pixel of {} on {} at this view and light in {width} × {height} pixels; \
+         try another --time, --eye, --light or a larger --size",
+        args.method, scene.name
+    )
+}
+
+/// Reads what was written and draws it.
+fn judge_again(
+    studio: &Studio<'_>,
+    path: &Path,
+    written: &Scene,
+    methods: &[Box<dyn ShadowMethod>; 1],
+) -> anyhow::Result<Box<Drawn>> {
+    let scene = SceneFile::read(path)?.load(&ModelSearch::for_scene_file(path))?;
+    let same = (&scene.mesh_hash, scene.light, &scene.camera)
+        == (&written.mesh_hash, written.light, &written.camera);
+    anyhow::ensure!(
+        same,
+        "{} reads as another scene; is there another model of that name in the working directory?",
+        path.display()
+    );
+    match attempt(studio, &scene, methods)? {
+        Attempt::Drawn(drawn) if drawn.judgement.error.artifact_px > 0 => Ok(drawn),
+        Attempt::Drawn(_) => anyhow::bail!("{}: failed, but does not now", path.display()),
+        Attempt::Unavailable(reason) => anyhow::bail!("{}: {reason}", path.display()),
+    }
+}
+
+/// The command that shows what is left.
+fn look_at_it(path: &Path, args: &MinimiseArgs) -> String {
+    let (width, height) = args.size;
+    let path = shell_word(&path.to_string_lossy());
+    let method = shell_word(&args.method);
+    format!("svbench render {path} --method {method} --size {width}x{height} --error error.png")
+}
+
+/// Quoted where a shell would see more than letters.
+fn shell_word(text: &str) -> String {
+    let plain = |c: char| c.is_alphanumeric() || "_-./,=:".contains(c);
+    if !text.is_empty() && text.chars().all(plain) {
+        text.to_owned()
+    } else {
+        format!("'{}'", text.replace('\'', "'\\''"))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn words_for_a_shell() {
+        assert_eq!(shell_word("a/b_c.toml"), "a/b_c.toml");
+        assert_eq!(shell_word("it's a b"), "'it'\\''s a b'");
+        assert_eq!(shell_word(""), "''");
+    }
+}
