@@ -5,6 +5,7 @@ mod bias_search;
 mod cell;
 mod measure;
 mod observer;
+pub mod provenance;
 pub mod record;
 mod run_dir;
 mod runner;
@@ -14,5 +15,6 @@ pub mod verify;
 mod verify_cells;
 
 pub use observer::Observer;
+pub use run_dir::new_directory;
 pub use runner::{RunRequest, run};
 pub use verify::Verifier;

@@ -54,6 +54,20 @@ impl Table {
     }
 }
 
+/// Creates a directory for results; if there is one, it must not hold anything yet.
+///
+/// # Errors
+/// When it does, or cannot be created.
+pub fn new_directory(path: &Path) -> anyhow::Result<()> {
+    if path.is_dir() && path.read_dir()?.next().is_some() {
+        bail!(
+            "{} is not empty: choose another directory with --out",
+            path.display()
+        );
+    }
+    std::fs::create_dir_all(path).with_context(|| format!("cannot create {}", path.display()))
+}
+
 /// An open run directory.
 pub(super) struct RunDir {
     path: PathBuf,
@@ -66,14 +80,9 @@ pub(super) struct RunDir {
 impl RunDir {
     /// Creates the directory; it must not hold anything yet.
     pub(super) fn create(path: &Path) -> anyhow::Result<Self> {
-        if path.is_dir() && path.read_dir()?.next().is_some() {
-            bail!(
-                "{} is not empty: choose another directory with --out",
-                path.display()
-            );
-        }
+        new_directory(path)?;
         let images = path.join(IMAGES_DIR);
-        std::fs::create_dir_all(&images)
+        std::fs::create_dir(&images)
             .with_context(|| format!("cannot create {}", images.display()))?;
         let mut samples = Table::new(path, SAMPLES_FILE);
         samples.create()?;

@@ -1,6 +1,7 @@
 //! A whole run, scene after scene.
 
 use super::Observer;
+use super::provenance::program_git;
 use super::record::{
     DeviceRecord, FORMAT, HostRecord, MethodRecord, RunInfo, RunStatus, Status, Summary,
 };
@@ -51,7 +52,7 @@ impl RunOutcome {
 /// When the directory cannot be written or the device is lost; what was measured stays.
 pub fn run(request: &RunRequest<'_>) -> anyhow::Result<RunOutcome> {
     let mut dir = RunDir::create(request.out)?;
-    let mut info = provenance(request);
+    let mut info = info(request);
     dir.write_info(&info)?;
     request
         .observer
@@ -113,26 +114,18 @@ fn add_methods(known: &mut Vec<MethodRecord>, found: Vec<MethodRecord>) {
     }
 }
 
-fn provenance(request: &RunRequest<'_>) -> RunInfo {
+fn info(request: &RunRequest<'_>) -> RunInfo {
     let RunRequest { gpu, plan, .. } = request;
     RunInfo {
         format: FORMAT,
         status: RunStatus::Running,
         title: plan.title.clone(),
         program_version: env!("CARGO_PKG_VERSION").to_owned(),
-        program_git: git_version::git_version!(
-            args = ["--always", "--dirty=-modified", "--abbrev=12"],
-            fallback = ""
-        )
-        .to_owned(),
+        program_git: program_git(),
         started: jiff::Timestamp::now().to_string(),
         command: request.command.clone(),
-        device: device_record(gpu),
-        host: HostRecord {
-            os: std::env::consts::OS.to_owned(),
-            arch: std::env::consts::ARCH.to_owned(),
-            cores: std::thread::available_parallelism().map_or(1, |cores| cores.get() as u32),
-        },
+        device: DeviceRecord::of(gpu),
+        host: HostRecord::here(),
         seed: plan.seed,
         width: plan.size_px.0,
         height: plan.size_px.1,
@@ -146,19 +139,5 @@ fn provenance(request: &RunRequest<'_>) -> RunInfo {
         config_text: plan.text.clone(),
         scale: plan.scale.clone(),
         warnings: Vec::new(),
-    }
-}
-
-fn device_record(gpu: &Gpu) -> DeviceRecord {
-    let info = &gpu.info;
-    DeviceRecord {
-        name: info.name.clone(),
-        vendor_id: info.vendor,
-        device_type: crate::gpu::device::type_name(info.device_type).to_owned(),
-        driver: info.driver.clone(),
-        driver_info: info.driver_info.clone(),
-        backend: info.backend.to_string(),
-        tessellation: gpu.stages.tessellation,
-        geometry: gpu.stages.geometry,
     }
 }

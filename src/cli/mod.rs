@@ -1,6 +1,7 @@
 //! The command line: one subcommand a file, arguments in, calls out.
 
 mod accuracy;
+mod fuzz;
 mod list;
 mod minimise;
 mod progress;
@@ -8,6 +9,7 @@ mod render;
 mod report;
 mod run;
 mod shot;
+mod stress;
 mod values;
 
 use crate::config::ConfigError;
@@ -41,6 +43,10 @@ enum Command {
     Render(render::RenderArgs),
     /// Shrink a scene that a method draws wrong to the few triangles that matter.
     Minimise(minimise::MinimiseArgs),
+    /// Try methods on causes of failure, and say where each fails first.
+    Stress(stress::StressArgs),
+    /// Try methods on random scenes.
+    Fuzz(fuzz::FuzzArgs),
     /// List methods, scenes and devices.
     List(list::ListArgs),
     /// Write the report of a run directory again, or one of several runs together.
@@ -102,6 +108,8 @@ impl Cli {
             Command::Accuracy(args) => accuracy::execute(&args),
             Command::Render(args) => render::execute(&args),
             Command::Minimise(args) => minimise::execute(&args),
+            Command::Stress(args) => stress::execute(&args),
+            Command::Fuzz(args) => fuzz::execute(&args),
             Command::List(args) => list::execute(&args),
             Command::Report(args) => report::execute(&args),
         }

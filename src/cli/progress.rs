@@ -20,13 +20,8 @@ pub(super) struct Progress {
 }
 
 impl Progress {
-    /// Starts listening for Ctrl-C: the first one asks the run to stop after the frame under way,
-    /// the second ends the program.
-    pub(super) fn new() -> anyhow::Result<Self> {
-        Self::counting("frames")
-    }
-
-    /// The same where other things than frames are counted.
+    /// Starts listening for Ctrl-C: the first one asks the run to stop after what is under way, the second
+    /// ends the program. `things` is what is counted.
     pub(super) fn counting(things: &str) -> anyhow::Result<Self> {
         let interrupted = Arc::new(AtomicBool::new(false));
         let flag = Arc::clone(&interrupted);
@@ -34,7 +29,7 @@ impl Progress {
             if flag.swap(true, Ordering::Relaxed) {
                 std::process::exit(i32::from(super::FAILED));
             }
-            eprintln!("stopping after this frame; once more to end at once");
+            eprintln!("stopping soon; once more to end at once");
         })?;
         let plain = !std::io::stderr().is_terminal();
         let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::stderr());

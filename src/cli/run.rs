@@ -55,7 +55,7 @@ pub(super) fn execute(args: &RunArgs, accuracy: Option<u32>) -> anyhow::Result<(
         Some(out) => out.clone(),
         None => default_out(&args.config, &gpu),
     };
-    let progress = Progress::new()?;
+    let progress = Progress::counting("frames")?;
     let outcome = bench::run(&RunRequest {
         gpu: &gpu,
         plan: &plan,
@@ -87,7 +87,7 @@ pub(super) fn execute(args: &RunArgs, accuracy: Option<u32>) -> anyhow::Result<(
 }
 
 /// `results/<date>-<time>-<config>-<device>`.
-fn default_out(config: &Path, gpu: &Gpu) -> PathBuf {
+pub(super) fn default_out(config: &Path, gpu: &Gpu) -> PathBuf {
     let now = jiff::Zoned::now().strftime("%Y-%m-%d-%H%M%S").to_string();
     let config = config
         .file_stem()

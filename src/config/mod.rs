@@ -5,10 +5,12 @@ mod misplaced;
 mod overrides;
 mod run_file;
 mod scene_lookup;
+mod stress_file;
 mod sweep;
 
 pub use overrides::Overrides;
 pub use scene_lookup::{builtin_scenes, find_scene};
+pub use stress_file::{StressPlan, cause_called};
 
 use crate::methods::ShadowMethod;
 use crate::scene::{CameraPath, ModelSearch, SceneFile};

@@ -136,16 +136,8 @@ impl RunPlan {
     /// # Errors
     /// What is wrong, with file, line and column.
     pub fn read(path: &Path, scale: &str) -> Result<Self, ConfigError> {
+        let text = read_text(path)?;
         let name = path.display().to_string();
-        let text = std::fs::read_to_string(path).map_err(|error| {
-            let hint = match error.kind() {
-                _ if path.is_dir() => "; name a TOML file in it",
-                ErrorKind::NotFound => "; check the path",
-                ErrorKind::InvalidData => "; save it as UTF-8 text",
-                _ => "",
-            };
-            ConfigError(format!("{name}: cannot be read: {error}{hint}"))
-        })?;
         let base = path.parent().unwrap_or(Path::new(""));
         Self::parse(&text, &name, base, scale)
     }
@@ -165,6 +157,20 @@ impl RunPlan {
             ..plan
         })
     }
+}
+
+/// The text of a configuration file.
+pub(super) fn read_text(path: &Path) -> Result<String, ConfigError> {
+    std::fs::read_to_string(path).map_err(|error| {
+        let hint = match error.kind() {
+            _ if path.is_dir() => "; name a TOML file in it",
+            ErrorKind::NotFound => "; check the path",
+            ErrorKind::InvalidData => "; save it as UTF-8 text",
+            _ => "",
+        };
+        let name = path.display();
+        ConfigError(format!("{name}: cannot be read: {error}{hint}"))
+    })
 }
 
 fn parse(text: &str, base: &Path, scale: &str) -> Result<RunPlan, Misplaced> {
@@ -286,7 +292,7 @@ fn read_scene(wire: &SceneWire, base: &Path) -> Result<ScenePlan, Misplaced> {
     Ok(ScenePlan { file, search })
 }
 
-fn check_size((width, height): (u32, u32)) -> Result<(), String> {
+pub(super) fn check_size((width, height): (u32, u32)) -> Result<(), String> {
     let side = 1..=MOST_PIXELS;
     if side.contains(&width) && side.contains(&height) {
         return Ok(());

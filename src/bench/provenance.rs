@@ -1,0 +1,41 @@
+//! What program, device and machine results come from.
+
+use super::record::{DeviceRecord, HostRecord};
+use crate::gpu::Gpu;
+
+/// Git revision of the program; empty when not built from a checkout.
+pub fn program_git() -> String {
+    git_version::git_version!(
+        args = ["--always", "--dirty=-modified", "--abbrev=12"],
+        fallback = ""
+    )
+    .to_owned()
+}
+
+impl DeviceRecord {
+    /// The device in use.
+    pub fn of(gpu: &Gpu) -> Self {
+        let info = &gpu.info;
+        Self {
+            name: info.name.clone(),
+            vendor_id: info.vendor,
+            device_type: crate::gpu::device::type_name(info.device_type).to_owned(),
+            driver: info.driver.clone(),
+            driver_info: info.driver_info.clone(),
+            backend: info.backend.to_string(),
+            tessellation: gpu.stages.tessellation,
+            geometry: gpu.stages.geometry,
+        }
+    }
+}
+
+impl HostRecord {
+    /// The machine that the program runs on.
+    pub fn here() -> Self {
+        Self {
+            os: std::env::consts::OS.to_owned(),
+            arch: std::env::consts::ARCH.to_owned(),
+            cores: std::thread::available_parallelism().map_or(1, |cores| cores.get() as u32),
+        }
+    }
+}

@@ -1,0 +1,146 @@
+//! `svbench fuzz`
+
+use super::progress::Progress;
+use super::{DeviceArgs, check_size, values};
+use crate::image::Image;
+use crate::methods::parameters::parse_method;
+use crate::methods::{REGISTRY, ShadowMethod};
+use crate::scene::export;
+use crate::stress::{Failure, Finding, FuzzPlan, Studio, Tally, fuzz};
+use anyhow::Context;
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+/// Arguments of `svbench fuzz`.
+#[derive(Debug, clap::Args)]
+pub(super) struct FuzzArgs {
+    /// Try this method (default: every method that promises to be exact)
+    #[arg(long, value_name = "ID[,key=value...]")]
+    method: Vec<String>,
+    /// Number of random scenes
+    #[arg(long, value_name = "N", default_value_t = 1000)]
+    cases: u64,
+    /// Seed of the first scene; the next scene has the next seed
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    seed: u64,
+    /// Stop after so many seconds
+    #[arg(long, value_name = "S")]
+    seconds: Option<u64>,
+    /// Size of the pictures
+    #[arg(long, value_name = "WxH", value_parser = values::size, default_value = "160x120")]
+    size: (u32, u32),
+    /// Write every scene that fails, and the picture of its errors, into this directory
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    #[command(flatten)]
+    device: DeviceArgs,
+}
+
+#[allow(
+    clippy::print_stdout,
+    reason = "the failures and the table are this command's result"
+)]
+pub(super) fn execute(args: &FuzzArgs) -> anyhow::Result<()> {
+    let methods = methods(&args.method)?;
+    let gpu = args.device.open()?;
+    check_size(&gpu, args.size, "--size")?;
+    if let Some(out) = &args.out {
+        std::fs::create_dir_all(out).with_context(|| format!("cannot create {}", out.display()))?;
+    }
+    let progress = Progress::counting("scenes")?;
+    let plan = FuzzPlan {
+        seeds: args.seed..args.seed.saturating_add(args.cases),
+        budget: args.seconds.map(Duration::from_secs),
+    };
+    let studio = Studio::new(&gpu, args.size);
+    let tallies = fuzz(&studio, &methods, &plan, &progress, |failure| {
+        println!("{}", line(failure, &methods));
+        match &args.out {
+            Some(out) => keep(failure, out, args.size),
+            None => Ok(()),
+        }
+    })?;
+    progress.finish();
+    print!("{}", table(&methods, &tallies));
+    args.device.check_validation()?;
+    let undeclared: u64 = tallies.iter().map(|tally| tally.undeclared).sum();
+    match undeclared {
+        0 => Ok(()),
+        _ => anyhow::bail!("{undeclared} pictures are wrong in a way that no method declares"),
+    }
+}
+
+/// The methods named, or all that promise to be exact.
+fn methods(named: &[String]) -> anyhow::Result<Vec<Box<dyn ShadowMethod>>> {
+    let exact = REGISTRY
+        .iter()
+        .filter(|registration| registration.info.tolerated_share == 0.0)
+        .map(|registration| registration.info.id.to_owned());
+    let all: Vec<String> = if named.is_empty() {
+        exact.collect()
+    } else {
+        named.to_vec()
+    };
+    Ok(all
+        .iter()
+        .map(|text| parse_method(text))
+        .collect::<Result<_, _>>()?)
+}
+
+fn name(method: &dyn ShadowMethod) -> String {
+    let name = format!("{} {}", method.info().id, method.variant());
+    name.trim_end().to_owned()
+}
+
+fn line(failure: &Failure<'_>, methods: &[Box<dyn ShadowMethod>]) -> String {
+    let Some(drawn) = failure.trial.attempts[failure.method].drawn() else {
+        return String::new();
+    };
+    let judgement = &drawn.judgement;
+    let kinds: Vec<_> = judgement
+        .analysis
+        .label_counts()
+        .map(|(word, px)| format!("{px} {word}"))
+        .collect();
+    format!(
+        "seed {}: {}: {} artifact pixels ({}), {}, {} triangles",
+        failure.seed,
+        name(methods[failure.method].as_ref()),
+        judgement.error.artifact_px,
+        kinds.join(", "),
+        failure.finding.word(),
+        failure.scene.mesh.triangles.len(),
+    )
+}
+
+fn keep(failure: &Failure<'_>, out: &Path, size_px: (u32, u32)) -> anyhow::Result<()> {
+    if !matches!(failure.finding, Finding::Undeclared) {
+        return Ok(());
+    }
+    let stem = &failure.scene.name;
+    export::write(failure.scene, out, stem)?;
+    match failure.trial.attempts[failure.method].drawn() {
+        Some(drawn) => Image::rgb(size_px, &drawn.judgement.error_map)
+            .write_png(&out.join(format!("{stem}_{}.png", failure.method))),
+        None => Ok(()),
+    }
+}
+
+fn table(methods: &[Box<dyn ShadowMethod>], tallies: &[Tally]) -> String {
+    let mut text = String::from(
+        "   cases  undeclared  declared  artifact px  boundary px  ambiguous px  method\n",
+    );
+    for (method, tally) in methods.iter().zip(tallies) {
+        text.push_str(&format!(
+            "{:8}  {:10}  {:8}  {:11}  {:11}  {:12}  {}\n",
+            tally.cases,
+            tally.undeclared,
+            tally.declared,
+            tally.error.artifact_px,
+            tally.error.boundary_px,
+            tally.error.ambiguous_px,
+            name(method.as_ref()),
+        ));
+    }
+    text
+}

@@ -1,0 +1,143 @@
+//! `svbench stress [CONFIG]`
+
+use super::progress::Progress;
+use super::run::default_out;
+use super::{DeviceArgs, check_size, error_map_legend, values};
+use crate::bench::record::{DeviceRecord, HostRecord};
+use crate::bench::{Observer, provenance};
+use crate::config::{ConfigError, StressPlan, cause_called};
+use crate::gpu::{Gpu, shader};
+use crate::methods::parameters::parse_method;
+use crate::stress::record::{FORMAT, Outcome, StressInfo, StressMethod};
+use crate::stress::{StressRequest, Studio, sweep};
+use anyhow::Context;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+/// Arguments of `svbench stress`.
+#[derive(Debug, clap::Args)]
+pub(super) struct StressArgs {
+    /// The configuration; without one, every method against every cause that comes with the program
+    config: Option<PathBuf>,
+    /// Try this method instead of the configuration's
+    #[arg(long, value_name = "ID[,key=value...]")]
+    method: Vec<String>,
+    /// Try only this cause
+    #[arg(long, value_name = "CAUSE")]
+    cause: Vec<String>,
+    /// Seed of what is random in the scenes, instead of the configuration's
+    #[arg(long, value_name = "N")]
+    seed: Option<u64>,
+    /// Size of the pictures instead of the configuration's
+    #[arg(long, value_name = "WxH", value_parser = values::size)]
+    size: Option<(u32, u32)>,
+    /// The directory to write, new or empty (default: results/<date>-<config>-<device>)
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    #[command(flatten)]
+    device: DeviceArgs,
+}
+
+#[allow(
+    clippy::print_stdout,
+    reason = "the matrix and the page's path are this command's result"
+)]
+pub(super) fn execute(args: &StressArgs) -> anyhow::Result<()> {
+    let plan = plan(args)?;
+    let gpu = args.device.open()?;
+    let place = match args.size {
+        Some(_) => "--size".to_owned(),
+        None => format!("{}: size", plan.path),
+    };
+    check_size(&gpu, plan.size_px, &place)?;
+    let out = match &args.out {
+        Some(out) => out.clone(),
+        None => default_out(Path::new(&plan.path), &gpu),
+    };
+    crate::bench::new_directory(&out)?;
+    let progress = Progress::counting("values")?;
+    let started = Instant::now();
+    let mut info = info(&plan, &gpu);
+    info.write(&out)?;
+    let rows = sweep(&StressRequest {
+        studio: &Studio::new(&gpu, plan.size_px),
+        causes: &plan.causes,
+        methods: &plan.methods,
+        seed: plan.seed,
+        out: &out,
+        observer: &progress,
+    })?;
+    progress.finish();
+    info.complete = !progress.interrupted();
+    info.duration_s = started.elapsed().as_secs_f64();
+    info.write(&out)?;
+    let page = out.join("report.html");
+    let _ = error_map_legend();
+    println!("\nreport: {}", page.display());
+    args.device.check_validation()?;
+    if !info.complete {
+        anyhow::bail!("interrupted; what was tried is in {}", out.display());
+    }
+    let is_undeclared = |outcome: Outcome| outcome == Outcome::Undeclared;
+    match rows.iter().filter(|row| is_undeclared(row.outcome)).count() {
+        0 => Ok(()),
+        count => anyhow::bail!(
+            "{count} of {} pictures are wrong in a way that no method declares; {} shows them",
+            rows.len(),
+            page.display()
+        ),
+    }
+}
+
+fn plan(args: &StressArgs) -> anyhow::Result<StressPlan> {
+    let mut plan = match &args.config {
+        Some(path) => StressPlan::read(path)?,
+        None => StressPlan::builtin()?,
+    };
+    if !args.method.is_empty() {
+        let methods = args.method.iter().map(|method| parse_method(method));
+        plan.methods = methods.collect::<Result<_, _>>()?;
+    }
+    if !args.cause.is_empty() {
+        let causes = args.cause.iter().map(|cause| cause_called(cause));
+        plan.causes = causes.collect::<Result<_, ConfigError>>()?;
+    }
+    plan.seed = args.seed.unwrap_or(plan.seed);
+    plan.size_px = args.size.unwrap_or(plan.size_px);
+    Ok(plan)
+}
+
+fn info(plan: &StressPlan, gpu: &Gpu) -> StressInfo {
+    StressInfo {
+        format: FORMAT,
+        complete: false,
+        title: plan.title.clone(),
+        program_version: env!("CARGO_PKG_VERSION").to_owned(),
+        program_git: provenance::program_git(),
+        started: jiff::Timestamp::now().to_string(),
+        duration_s: 0.0,
+        command: std::env::args().collect(),
+        device: DeviceRecord::of(gpu),
+        host: HostRecord::here(),
+        seed: plan.seed,
+        width: plan.size_px.0,
+        height: plan.size_px.1,
+        shader_hash: shader::hash(),
+        config_path: plan.path.clone(),
+        config_text: plan.text.clone(),
+        causes: plan.causes.iter().map(|cause| cause.record()).collect(),
+        methods: plan
+            .methods
+            .iter()
+            .map(|method| StressMethod::of(method.as_ref()))
+            .collect(),
+    }
+}
+
+impl StressInfo {
+    fn write(&self, out: &Path) -> anyhow::Result<()> {
+        let path = out.join(crate::stress::record::STRESS_FILE);
+        crate::image::replace_file(&path, |file| Ok(serde_json::to_writer_pretty(file, self)?))
+            .with_context(|| format!("cannot write {}", path.display()))
+    }
+}
