@@ -3,12 +3,20 @@
 use crate::geometry::{Determinism, Edge, Topology, vertex_less};
 use crate::scene::Mesh;
 use glam::{Vec3, Vec4};
+use std::cmp::Ordering;
 use std::ops::Range;
 
 /// Edges with end points in the vertex order, and at most so many opposite vertices. An edge with more
 /// is split into several with the same end points; multiplicities add up, so the shadow stays the same.
+///
+/// Its opposite vertices are dealt out in turn, in the vertex order: those that are near to each other, copies
+/// above all, come to different parts. So facings cancel within a part, where they leave nothing, rather than
+/// between the side quads of two, where the tessellator's last bit may leave a pixel.
 pub(super) struct EdgeRecords {
     pub(super) edges: Vec<Edge>,
+    /// The opposite vertices of the records: those of the topology, and then those of edges that were
+    /// split, dealt out.
+    pub(super) opposites: Vec<u32>,
     /// The records of each object that casts, in drawing order.
     pub(super) objects: Vec<Range<u32>>,
     /// The edges that were split, as they were.
@@ -20,6 +28,7 @@ impl EdgeRecords {
     pub(super) fn new(mesh: &Mesh, topology: &Topology, limit: u32) -> Self {
         let mut edges = Vec::with_capacity(topology.edges.len());
         let mut split = Vec::new();
+        let mut opposites = topology.opposites.clone();
         let mut objects = Vec::with_capacity(topology.object_edges.len());
         let casters = mesh.objects.iter().zip(&topology.object_edges);
         for (_, range) in casters.filter(|(object, _)| object.casts_shadow) {
@@ -29,6 +38,12 @@ impl EdgeRecords {
                 if edge.opposite_count <= limit {
                     edges.push(edge);
                 } else {
+                    let first_opposite = opposites.len() as u32;
+                    opposites.extend(dealt_out(mesh, topology.opposites_of(edge), limit));
+                    let edge = Edge {
+                        first_opposite,
+                        ..edge
+                    };
                     edges.extend(parts(edge, limit));
                     split.push(edge);
                 }
@@ -37,10 +52,16 @@ impl EdgeRecords {
         }
         Self {
             edges,
+            opposites,
             objects,
             split,
             limit,
         }
+    }
+
+    fn opposites_of(&self, edge: Edge) -> &[u32] {
+        let first = edge.first_opposite as usize;
+        &self.opposites[first..first + edge.opposite_count as usize]
     }
 
     /// Opposite vertices of the record that has most, at least 1.
@@ -54,13 +75,12 @@ impl EdgeRecords {
     pub(super) fn extra_side_quads(
         &self,
         mesh: &Mesh,
-        topology: &Topology,
         determinism: Determinism,
         light: Vec4,
     ) -> u64 {
         let at = |vertex: u32| mesh.positions[vertex as usize];
         let quads = |edge: Edge| {
-            let opposites = topology.opposites_of(edge).iter();
+            let opposites = self.opposites_of(edge).iter();
             let facing = |o: &u32| determinism.facing(at(edge.a), at(edge.b), at(*o), light);
             u64::from(opposites.map(facing).sum::<i32>().unsigned_abs())
         };
@@ -69,16 +89,34 @@ impl EdgeRecords {
     }
 }
 
-/// The edge as several with at most `limit` opposite vertices each.
+/// Opposite vertices in the order in which [`parts`] take them: each part in turn gets one.
+fn dealt_out(mesh: &Mesh, opposites: &[u32], limit: u32) -> impl Iterator<Item = u32> {
+    let mut sorted = opposites.to_vec();
+    sorted.sort_by(|one, other| {
+        let [one, other] = [one, other].map(|vertex| mesh.positions[*vertex as usize].to_array());
+        one.partial_cmp(&other).unwrap_or(Ordering::Equal)
+    });
+    let parts = sorted.len().div_ceil(limit as usize);
+    (0..parts).flat_map(move |part| {
+        let own = sorted.iter().skip(part).step_by(parts);
+        own.copied().collect::<Vec<_>>()
+    })
+}
+
+/// The edge as several with at most `limit` opposite vertices each, as many as their turn gave them.
 fn parts(edge: Edge, limit: u32) -> impl Iterator<Item = Edge> {
-    let end = edge.first_opposite + edge.opposite_count;
-    (edge.first_opposite..end)
-        .step_by(limit as usize)
-        .map(move |first_opposite| Edge {
+    let parts = edge.opposite_count.div_ceil(limit);
+    let mut first_opposite = edge.first_opposite;
+    (0..parts).map(move |part| {
+        let opposite_count = (edge.opposite_count - part).div_ceil(parts);
+        let own = Edge {
             first_opposite,
-            opposite_count: limit.min(end - first_opposite),
+            opposite_count,
             ..edge
-        })
+        };
+        first_opposite += opposite_count;
+        own
+    })
 }
 
 fn in_vertex_order(positions: &[Vec3], edge: Edge) -> Edge {
@@ -108,7 +146,6 @@ impl EdgePatches {
     /// would take more than `most_bytes`.
     pub(super) fn new(
         records: &EdgeRecords,
-        opposites: &[u32],
         opposites_per_patch: u32,
         most_bytes: u64,
     ) -> Option<Self> {
@@ -119,8 +156,7 @@ impl EdgePatches {
         }
         let mut indices = Vec::with_capacity(records.edges.len() * vertices_per_patch as usize);
         for edge in &records.edges {
-            let first = edge.first_opposite as usize;
-            let own = &opposites[first..first + edge.opposite_count as usize];
+            let own = records.opposites_of(*edge);
             let end = indices.len() + vertices_per_patch as usize;
             indices.extend([edge.a, edge.b]);
             indices.extend_from_slice(own);
@@ -175,9 +211,10 @@ mod tests {
         let parts: Vec<_> = records
             .edges
             .iter()
-            .map(|e| (e.first_opposite, e.opposite_count))
+            .map(|e| records.opposites_of(*e))
             .collect();
-        assert_eq!(parts, [(0, 2), (2, 3), (5, 3), (8, 1), (9, 1)]);
+        let expected: [&[u32]; 5] = [&[0, 1], &[2, 5, 8], &[3, 6], &[4, 7], &[9]];
+        assert_eq!(parts, expected);
         assert_eq!(records.objects, [0..4, 4..5]);
         assert_eq!(records.most_opposites(), 3);
     }
@@ -186,11 +223,11 @@ mod tests {
     fn patches_are_filled_with_their_first_vertex() {
         let (mesh, topology) = example();
         let records = EdgeRecords::new(&mesh, &topology, 3);
-        let patches = |most_bytes| EdgePatches::new(&records, &topology.opposites, 4, most_bytes);
+        let patches = |most_bytes| EdgePatches::new(&records, 4, most_bytes);
         assert!(patches(4 * 30 - 1).is_none());
         let patches = patches(4 * 30).unwrap();
         assert_eq!(patches.vertices_per_patch, 6);
-        assert_eq!(patches.indices[..12], [0, 1, 0, 1, 0, 0, 0, 1, 2, 3, 4, 0]);
+        assert_eq!(patches.indices[..12], [0, 1, 0, 1, 0, 0, 0, 1, 2, 5, 8, 0]);
         assert_eq!(patches.objects, [0..24, 24..30]);
     }
 
@@ -229,7 +266,6 @@ mod tests {
         let extra = |limit| {
             EdgeRecords::new(&mesh, &topology, limit).extra_side_quads(
                 &mesh,
-                &topology,
                 Determinism::ReferenceEdge,
                 light,
             )

@@ -114,7 +114,7 @@ impl<S: SideStage> ShadowMethod for Silhouette<S> {
             ("edge_records", edges.edges.len() as u64),
             (
                 "extra_side_quads",
-                edges.extra_side_quads(mesh, topology, parameters.determinism, context.scene.light),
+                edges.extra_side_quads(mesh, parameters.determinism, context.scene.light),
             ),
         ];
         let (sides, buffers) = match self.input {
@@ -123,8 +123,7 @@ impl<S: SideStage> ShadowMethod for Silhouette<S> {
                 let (topology, opposites) = S::patch(edges.most_opposites());
                 let most_bytes = context.gpu.device.limits().max_buffer_size;
                 let patches =
-                    EdgePatches::new(&edges, &context.topology().opposites, opposites, most_bytes)
-                        .ok_or_else(too_many_patches)?;
+                    EdgePatches::new(&edges, opposites, most_bytes).ok_or_else(too_many_patches)?;
                 counters.push(("patch_vertices", patches.vertices_per_patch.into()));
                 let sides = Self::sides_by_patch(context.gpu, parameters, topology, patches);
                 (sides, Vec::new())
@@ -149,10 +148,7 @@ impl<S: SideStage> Silhouette<S> {
         };
         let buffers = vec![
             buffer("edges", bytemuck::cast_slice(&edges.edges)),
-            buffer(
-                "opposites",
-                bytemuck::cast_slice(&context.topology().opposites),
-            ),
+            buffer("opposites", bytemuck::cast_slice(&edges.opposites)),
         ];
         // Room for exactly what this scene can need: a larger output slows a geometry stage down.
         let defines = parameters.defines(&[("MAX_MULTIPLICITY", edges.most_opposites())]);
