@@ -68,7 +68,10 @@ pub(super) fn edge_on(ulps: usize, seed: u64) -> Shot {
     let mut random = random(seed);
     let r = &mut random;
     let light = coarse(DVec3::new(0.713, 5.817, 0.431));
-    let mut parts = vec![ground(8.0)];
+    // Shadow volumes may end where the scene ends: with nothing below the ground, a leak below it would never
+    // come to be drawn.
+    let below = sphere(DVec3::new(0.3, -7.0, -0.2), 0.5, 8);
+    let mut parts = vec![ground(8.0), part("ball", &below)];
     for (row, column) in (0..4).flat_map(|row| (0..5).map(move |column| (row, column))) {
         let place = DVec3::new(f64::from(column) - 1.7, 0.0, f64::from(row) - 2.6) * 0.7;
         let height = DVec3::Y * r.random_range(1.4..1.9);
