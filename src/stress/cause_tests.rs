@@ -95,9 +95,9 @@ fn every_picture_has_something_to_get_wrong() {
             let (lit, shadowed) = (count(Verdict::Lit), count(Verdict::Shadowed));
             let pixels = 160 * 120;
             let what = format!("{}: {lit} lit, {shadowed} shadowed", scene.name);
-            assert!(lit + shadowed >= pixels / 6, "{what}");
+            assert!(lit + shadowed >= pixels / 10, "{what}");
             if i == 0 {
-                assert!(lit.min(shadowed) >= pixels / 40, "{what}");
+                assert!(lit.min(shadowed) >= pixels / 80, "{what}");
             }
         }
     }

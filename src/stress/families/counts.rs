@@ -3,12 +3,13 @@
 use super::shapes::{Shot, Triangle, flipped, in_cube, over_ground, part, random, sheet, sphere};
 use glam::{DQuat, DVec3};
 use rand::RngExt;
+use std::f64::consts::TAU;
 
 /// Pages around one edge, all on the same side of the light plane through it: the multiplicity of the edge
 /// is the number of pages.
 pub(super) fn fan(pages: usize, seed: u64) -> Shot {
     let mut random = random(seed);
-    let spine = [DVec3::new(0.7, 1.9, -0.5), DVec3::new(0.4, 0.9, 0.7)];
+    let spine = [DVec3::new(0.8, 2.0, -0.7), DVec3::new(0.5, 0.8, 0.8)];
     let along = (spine[1] - spine[0]).normalize();
     // Across the spine and the light, away from the eye; then pages open to 75 degrees on either side.
     let middle = along.cross(DVec3::new(0.3, 1.0, 0.2)).normalize();
@@ -71,17 +72,24 @@ pub(super) fn coplanar_overlap(count: usize, seed: u64) -> Shot {
     const STEPS_PER_UNIT: f64 = 64.0;
     let mut random = random(seed);
     // The axes are sums of few powers of two and the steps whole: no coordinate is ever rounded.
-    let (u, v) = (DVec3::new(1.0, 0.25, 0.125), DVec3::new(-0.125, 0.375, 1.0));
-    let corner = |random: &mut _, around: DVec3| {
-        let [x, y, _] = ((around + in_cube(random, 0.6)) * STEPS_PER_UNIT)
-            .round()
-            .to_array();
-        DVec3::new(0.0, 1.25, 0.0) + (x * u + y * v) / STEPS_PER_UNIT
-    };
+    let (u, v) = (
+        DVec3::new(1.0, 0.25, 0.125),
+        DVec3::new(-0.125, -0.375, 1.0),
+    );
     let triangles: Vec<Triangle> = (0..count)
         .map(|_| {
-            let around = in_cube(&mut random, 0.35);
-            [(); 3].map(|()| corner(&mut random, around))
+            let around = in_cube(&mut random, 0.3);
+            let start = random.random_range(0.0..TAU);
+            [0.0, 1.0, 2.0].map(|third| {
+                let angle = start + (third + random.random_range(-0.4..0.4)) * TAU / 3.0;
+                let reach = random.random_range(0.3..1.0);
+                let [x, y] = [
+                    around.x + reach * angle.cos(),
+                    around.y + reach * angle.sin(),
+                ]
+                .map(|step| (step * STEPS_PER_UNIT).round() / STEPS_PER_UNIT);
+                DVec3::new(0.0, 1.25, 0.0) + x * u + y * v
+            })
         })
         .collect();
     over_ground([part("triangles", &triangles)])

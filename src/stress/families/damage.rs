@@ -44,12 +44,11 @@ pub(super) fn t_junctions(count: usize, seed: u64) -> Shot {
     let mut split = HashSet::new();
     let mut result = Vec::new();
     for [a, b, c] in triangles {
-        let (forth, back) = ([bits(a), bits(b)], [bits(b), bits(a)]);
         // Where the other triangle at the edge is split as well, there would be no crack.
-        if split.len() < count && !split.contains(&back) {
+        if split.len() < count && !split.contains(&[bits(b), bits(a)]) {
             let middle = (a + b) / 2.0;
             result.extend([[a, middle, c], [middle, b, c]]);
-            split.insert(forth);
+            split.insert([bits(a), bits(b)]);
         } else {
             result.push([a, b, c]);
         }
@@ -73,8 +72,8 @@ pub(super) fn random_soup(count: usize, seed: u64) -> Shot {
     let mut random = random(seed);
     let triangles: Vec<Triangle> = (0..count)
         .map(|_| {
-            let centre = DVec3::new(0.0, 1.2, 0.0) + in_cube(&mut random, 0.6);
-            [(); 3].map(|()| centre + in_cube(&mut random, 0.5))
+            let centre = DVec3::new(0.0, 1.2, 0.0) + in_cube(&mut random, 0.4);
+            [(); 3].map(|()| centre + in_cube(&mut random, 0.8))
         })
         .collect();
     over_ground([part("soup", &triangles)])

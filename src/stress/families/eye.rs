@@ -1,6 +1,6 @@
 //! The eye, the near plane and the far plane where shadow volumes do not like them.
 
-use super::shapes::{Shot, cuboid, ground, ground_at, over_ground, part, sheet, sphere, tilt};
+use super::shapes::{Shot, cuboid, ground, ground_at, part, sheet, sphere, tilt};
 use glam::{DQuat, DVec3};
 
 /// The near rectangle on its way into the shadow volume of a plate: at 0 two thirds of a unit beside it,
@@ -59,8 +59,8 @@ pub(super) fn far_casters(exponent: f64) -> Shot {
     let distance = 10f64.powf(exponent);
     let eye = DVec3::new(0.17, 1.6, 4.2);
     let target = DVec3::new(0.0, 1.1, 0.0);
-    let light = DVec3::new(0.37, 0.71, 0.93).normalize();
-    let ball = sphere(DVec3::new(-0.9, 0.6, 0.4), 0.5, 12);
+    let light = DVec3::new(-0.75, 0.83, 0.61).normalize();
+    let ball = sphere(DVec3::new(-0.8, 0.7, 0.9), 0.65, 12);
     let far = eye + distance * DVec3::new(0.05, 0.3, -1.0).normalize();
     let far_ball = sphere(far + 0.25 * distance * light, 0.1 * distance, 12);
     let half = DVec3::new(0.35, 0.25, 0.01) * distance;
@@ -89,25 +89,27 @@ pub(super) fn large_triangles(exponent: f64) -> Shot {
     let size = 4.0 * 10f64.powf(exponent);
     let banner = |x: f64, front: f64| {
         [
-            DVec3::new(x - 0.2, 0.9, front),
-            DVec3::new(x + 0.13, 1.37, front - 0.6),
+            DVec3::new(x - 0.2, 0.7, front),
+            DVec3::new(x + 0.13, 2.1, front - 1.1),
             DVec3::new(x - 0.5, 1.1 + 0.1 * size, front + size),
         ]
     };
     let banners = [banner(-0.7, -2.0), banner(-1.6, -4.0), banner(1.9, -3.1)];
     let block = cuboid(DVec3::new(0.6, 0.31, -1.4), DVec3::splat(0.25), tilt());
-    let shot = over_ground([part("banners", &banners), part("block", &block)]);
     let ground = [
         DVec3::new(-2.0 * size, 0.0, 2.1 * size),
         DVec3::new(2.3 * size, 0.0, 1.9 * size),
         DVec3::new(0.1 * size, 0.0, -3.0 * size),
     ];
-    let parts = shot.parts.into_iter().take(2);
     Shot {
-        parts: parts.chain([part("ground", &[ground])]).collect(),
+        parts: vec![
+            part("banners", &banners),
+            part("block", &block),
+            part("ground", &[ground]),
+        ],
         light: DVec3::new(2.7, 5.3, -1.1).extend(1.0),
         eye: DVec3::new(0.21, 1.3, 1.9),
         target: DVec3::new(-0.5, 0.4, -2.0),
-        ..shot
+        near: 0.1,
     }
 }

@@ -15,8 +15,8 @@ pub(super) fn thin_wall(exponent: f64) -> Shot {
     Shot {
         parts: vec![part("wall", &wall), ground(4.0)],
         light: DVec3::new(0.87, 2.9, -2.3).extend(1.0),
-        eye: DVec3::new(0.72, 0.55, 0.83),
-        target: DVec3::new(0.43, 0.1, 0.05),
+        eye: DVec3::new(0.87, 0.43, 0.61),
+        target: DVec3::new(0.65, 0.12, 0.03),
         near: 0.02,
     }
 }
@@ -28,21 +28,21 @@ pub(super) fn contact(degrees: f64) -> Shot {
     let block = cuboid(DVec3::Y * half.y, half, DQuat::from_rotation_y(0.23));
     Shot {
         parts: vec![part("box", &block), ground(3.0)],
-        light: from_zenith(degrees).extend(0.0),
-        eye: DVec3::new(-0.97, 0.61, 0.13),
-        target: DVec3::new(-0.19, 0.03, -0.07),
+        light: from_zenith(degrees, 0.94).extend(0.0),
+        eye: DVec3::new(-0.61, 0.21, 0.17),
+        target: DVec3::new(-0.27, 0.03, -0.03),
         near: 0.02,
     }
 }
 
-/// A plate whose normal is so many degrees from the light, and a ball before it.
+/// A plate whose normal is so many degrees from the light, and a ball half sunk into it.
 pub(super) fn grazing_receiver(degrees: f64) -> Shot {
     let turn = DQuat::from_axis_angle(DVec3::new(0.2, 0.1, 1.0).normalize(), degrees.to_radians());
     let light = DVec3::Y * 6.0;
     // The eye turns with the plate.
     let place = |p: DVec3| turn * p;
     let plate = cuboid(place(DVec3::Y * -0.1), DVec3::new(2.0, 0.1, 1.7), turn);
-    let ball = sphere(place(DVec3::new(0.31, 0.37, 0.17)), 0.3, 12);
+    let ball = sphere(place(DVec3::new(0.41, 0.1, -0.33)), 0.45, 12);
     Shot {
         parts: vec![part("plate", &plate), part("ball", &ball)],
         light: light.extend(1.0),

@@ -86,7 +86,7 @@ impl Family {
             Self::EdgeOn => Whole(0, 10_000),
             Self::LightOnElement => Whole(0, 3),
             Self::LightDistance | Self::ScaleUp => Between(0.0, 9.0),
-            // A thousandth of the grid that positions lie on is not to be had.
+            // Smaller, little would be left of it on the grid that positions lie on.
             Self::ScaleDown => Between(0.0, 7.0),
             Self::Needles
             | Self::LargeTriangles

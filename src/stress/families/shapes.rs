@@ -41,10 +41,10 @@ impl Shot {
 /// The usual picture: casters about a unit in size around (0, 1.3, 0), the ground, and their shadow on it.
 pub(super) fn over_ground(casters: impl IntoIterator<Item = Part>) -> Shot {
     Shot {
-        parts: casters.into_iter().chain([ground(6.0)]).collect(),
+        parts: casters.into_iter().chain([ground(8.0)]).collect(),
         light: DVec3::new(1.73, 5.31, 1.17).extend(1.0),
-        eye: DVec3::new(-1.97, 2.31, 3.07),
-        target: DVec3::new(-0.23, 0.57, -0.13),
+        eye: DVec3::new(-1.47, 2.63, 2.47),
+        target: DVec3::new(-0.21, 0.63, -0.11),
         near: 0.1,
     }
 }

@@ -29,15 +29,11 @@ pub(super) fn needles(exponent: f64) -> Shot {
     for corner in 0..2 * PAIRS {
         let [near, far] = ends.map(|end| [at(corner, end), at(corner + 1, end)]);
         triangles.extend([
-            [near[0], far[0], far[1]],
-            [near[0], far[1], near[1]],
+            [near[0], far[1], far[0]],
+            [near[0], near[1], far[1]],
             [middles[0], near[1], near[0]],
             [middles[1], far[0], far[1]],
         ]);
-    }
-    for triangle in &mut triangles {
-        // Written for an axis that points the other way.
-        triangle.swap(1, 2);
     }
     over_ground([part("prism", &triangles)])
 }
@@ -64,17 +60,21 @@ pub(super) fn collinear(share: f64, seed: u64) -> Shot {
     over_ground([part("sphere", &triangles)])
 }
 
-/// Many frusta of pyramids whose tips are the light: all their sides are edge-on to it but for the rounding
-/// of their vertices, and for so many ULPs that each coordinate is moved. In view is their shadow alone:
-/// how light a side itself is, only its rounding decides.
+/// Frusta of pyramids whose tips are the light: their sides are edge-on to it. All coordinates have few digits,
+/// so that the light lies in the planes exactly; then each is moved by so many ULPs. What arithmetic says of
+/// the sides is rounding alone. In view is nothing but their shadow: whether such a side is itself lit is no
+/// fair question.
 pub(super) fn edge_on(ulps: usize, seed: u64) -> Shot {
     let mut random = random(seed);
     let r = &mut random;
-    let light = DVec3::new(0.713, 5.317, 0.431).as_vec3().as_dvec3();
-    let mut parts = vec![ground(6.0)];
-    for (row, column) in (0..5).flat_map(|row| (0..5).map(move |column| (row, column))) {
-        let place = DVec3::new(f64::from(column) - 2.0, 0.0, f64::from(row) - 3.3) * 0.8;
-        let height = DVec3::Y * r.random_range(1.5..2.2);
+    let light = coarse(DVec3::new(0.713, 5.817, 0.431));
+    // Shadow volumes may end where the scene ends: with nothing below the ground, a leak below it would never
+    // come to be drawn.
+    let below = sphere(DVec3::new(0.3, -7.0, -0.2), 0.5, 8);
+    let mut parts = vec![ground(8.0), part("ball", &below)];
+    for (row, column) in (0..4).flat_map(|row| (0..5).map(move |column| (row, column))) {
+        let place = DVec3::new(f64::from(column) - 1.7, 0.0, f64::from(row) - 2.6) * 0.7;
+        let height = DVec3::Y * r.random_range(1.4..1.9);
         let name = format!("frustum {row} {column}");
         parts.push(frustum(&name, light, place + height, ulps, r));
     }
@@ -87,6 +87,12 @@ pub(super) fn edge_on(ulps: usize, seed: u64) -> Shot {
     }
 }
 
+/// To a grid on which half the way from one point to another takes one digit more.
+fn coarse(p: DVec3) -> DVec3 {
+    const STEPS_PER_UNIT: f64 = 4096.0;
+    (p * STEPS_PER_UNIT).round() / STEPS_PER_UNIT
+}
+
 /// One frustum, see [`edge_on`].
 fn frustum(name: &str, light: DVec3, centre: DVec3, ulps: usize, random: &mut impl Rng) -> Part {
     let sides = random.random_range(3..8u32);
@@ -94,27 +100,21 @@ fn frustum(name: &str, light: DVec3, centre: DVec3, ulps: usize, random: &mut im
     let start = random.random_range(0.0..TAU);
     let lower = (0..sides).map(|i| {
         let (sin, cos) = (start + TAU * f64::from(i) / f64::from(sides)).sin_cos();
-        centre + 0.27 * DVec3::new(cos, lean * sin, sin)
+        coarse(centre + 0.23 * DVec3::new(cos, lean * sin, sin))
     });
     let lower: Vec<DVec3> = lower.collect();
-    let upper = lower.iter().map(|p| light + 0.85 * (p - light));
-    let mut near_light_plane = |p: DVec3| {
-        let by = |x: f32, up: bool| {
-            let by = if up { ulps as i32 } else { -(ulps as i32) };
+    // Half-way: the longer an edge, the more is lost in the rounding of what it is multiplied with.
+    let upper = lower.iter().map(|&p| p.midpoint(light));
+    let ulps = ulps as i32;
+    let mut moved = |p: DVec3| {
+        let number = |x: f32| {
+            let by = if random.random_bool(0.5) { ulps } else { -ulps };
             f32::from_bits(x.to_bits().wrapping_add_signed(by))
         };
-        Vec3::from_array(
-            p.as_vec3()
-                .to_array()
-                .map(|x| by(x, random.random_bool(0.5))),
-        )
+        Vec3::from_array(p.as_vec3().to_array().map(number))
     };
-    let positions: Vec<Vec3> = lower
-        .iter()
-        .copied()
-        .chain(upper)
-        .map(&mut near_light_plane)
-        .collect();
+    let corners = lower.iter().copied().chain(upper);
+    let positions: Vec<Vec3> = corners.map(&mut moved).collect();
     let mut triangles = Vec::new();
     for i in 0..sides {
         let next = (i + 1) % sides;

@@ -3,9 +3,9 @@
 use super::shapes::{Shot, Triangle, cuboid, part, sheet, sphere, tilt};
 use glam::{DQuat, DVec3};
 
-/// Objects of an everyday scene on a ground of 3 × 3 units around the origin, by name.
+/// Objects of an everyday scene on a ground of 4 × 4 units around the origin, by name.
 fn objects() -> Vec<(&'static str, Vec<Triangle>)> {
-    let corners = [[-1.5, 1.5], [1.5, 1.5], [1.5, -1.5], [-1.5, -1.5]];
+    let corners = [[-2.0, 2.0], [2.0, 2.0], [2.0, -2.0], [-2.0, -2.0]];
     let ground = sheet(corners.map(|[x, z]| DVec3::new(x, 0.0, z)));
     let turn = DQuat::from_rotation_y(0.61);
     vec![
@@ -27,7 +27,8 @@ fn objects() -> Vec<(&'static str, Vec<Triangle>)> {
     ]
 }
 
-const LIGHT: DVec3 = DVec3::new(0.52, 1.37, 0.71);
+/// Behind the objects and to the left: their shadows fall to where they are seen.
+const LIGHT: DVec3 = DVec3::new(-0.83, 1.31, -0.52);
 
 /// The scene, scaled and moved.
 fn everyday(scale: f64, offset: DVec3) -> Shot {
@@ -39,8 +40,8 @@ fn everyday(scale: f64, offset: DVec3) -> Shot {
     Shot {
         parts: parts.collect(),
         light: place(LIGHT).extend(1.0),
-        eye: place(DVec3::new(0.57, 1.13, 1.61)),
-        target: place(DVec3::new(-0.08, 0.1, -0.13)),
+        eye: place(DVec3::new(0.37, 1.17, 1.13)),
+        target: place(DVec3::new(-0.03, 0.1, -0.07)),
         near: 0.05 * scale,
     }
 }
@@ -68,14 +69,14 @@ pub(super) fn light_distance(exponent: f64) -> Shot {
 /// A light at infinity, so many degrees from the zenith.
 pub(super) fn light_at_infinity(degrees: f64) -> Shot {
     Shot {
-        light: from_zenith(degrees).extend(0.0),
+        light: from_zenith(degrees, 3.71).extend(0.0),
         ..scaled(1.0)
     }
 }
 
-/// The direction so many degrees from the zenith.
-pub(super) fn from_zenith(degrees: f64) -> DVec3 {
+/// The direction so many degrees from the zenith; the azimuth, in radians, goes from x to z.
+pub(super) fn from_zenith(degrees: f64, azimuth: f64) -> DVec3 {
     let (across, y) = degrees.to_radians().sin_cos();
-    let (sin, cos) = 0.94f64.sin_cos();
+    let (sin, cos) = azimuth.sin_cos();
     DVec3::new(across * cos, y, across * sin)
 }
