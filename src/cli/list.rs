@@ -163,7 +163,7 @@ fn text(listing: &Listing) -> String {
             needs.join("; ")
         };
         line(4, &format!("needs: {needs}"));
-        for limit in info.limits {
+        for limit in info.limits.iter().copied().flatten() {
             line(4, &format!("limit: {}", limit.text));
         }
         for (name, default, meaning) in info.parameters.concat() {

@@ -21,10 +21,8 @@ pub(super) static INFO: MethodInfo = MethodInfo {
     source: "Greene 1986, Williams 1978; beyond Milet et al. 2014, who had none",
     needs: &[],
     limits: &[
-        Limit::in_words(
-            "edges are as coarse as the map's texels; acne and detached shadows trade off by bias",
-        ),
-        Limit::in_words("needs a light at a point"),
+        depth_map::LIMITS,
+        &[Limit::in_words("needs a light at a point")],
     ],
     tolerated_share: depth_map::TOLERATED_SHARE,
     parameters: &[

@@ -1,8 +1,10 @@
 //! A method that looks a shadow map up: the parameters of both kinds, and what they have in common.
 
+use super::limit::PRECISION_LIMIT;
 use super::parameters::{Parameters, in_range};
 use super::{
-    BiasSearch, MethodError, MethodInfo, Parameter, PrepareContext, PreparedMethod, ShadowMethod,
+    BiasSearch, Limit, MethodError, MethodInfo, Parameter, PrepareContext, PreparedMethod,
+    ShadowMethod,
 };
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
 use std::fmt;
@@ -25,6 +27,17 @@ pub(super) const PARAMETERS: &[Parameter] = &[
 
 /// See [`MethodInfo::tolerated_share`]: at true edges a map is wrong by a texel, which may be several pixels.
 pub(super) const TOLERATED_SHARE: f64 = 0.02;
+
+/// What every map cannot do.
+pub(super) const LIMITS: &[Limit] = &[
+    Limit {
+        text: "edges are as coarse as the map's texels; acne and detached shadows trade off by bias",
+        with: &[],
+        fails: &[],
+        kinds: &["staircase", "acne", "detached_shadow"],
+    },
+    PRECISION_LIMIT,
+];
 
 /// Largest square of percentage-closer filtering.
 const MOST_PCF: u32 = 15;

@@ -42,10 +42,20 @@ impl Limit {
     }
 }
 
+/// What single precision cannot do, in any method.
+pub(super) const PRECISION_LIMIT: Limit = Limit {
+    text: "vertices become places on the screen in 32 bits: wrong where coordinates are 100,000 times what the \
+           picture shows",
+    with: &[],
+    fails: &[("translation", 5.0), ("large_triangles", 5.0)],
+    kinds: &[],
+};
+
 impl MethodInfo {
     /// The limits that hold for a variant of the method, see [`super::ShadowMethod::variant`].
     pub fn limits_of(&self, variant: &str) -> impl Iterator<Item = &'static Limit> {
-        self.limits.iter().filter(move |limit| limit.holds(variant))
+        let limits = self.limits.iter().copied().flatten();
+        limits.filter(move |limit| limit.holds(variant))
     }
 
     /// The limit by which a variant of the method may fail at a value of a cause of the stress corpus.

@@ -47,8 +47,9 @@ pub struct MethodInfo {
     pub source: &'static str,
     /// What it needs of the device.
     pub needs: &'static [Requirement],
-    /// What it cannot do or gets wrong, by design.
-    pub limits: &'static [Limit],
+    /// What it cannot do or gets wrong, by design: what it shares with others, and its own.
+    #[serde(serialize_with = "in_one_list")]
+    pub limits: &'static [&'static [Limit]],
     /// The part of a picture that may be wrong away from true edges before that is a failure: 0 for a method
     /// that is exact to the pixel.
     pub tolerated_share: f64,
@@ -57,11 +58,11 @@ pub struct MethodInfo {
     pub parameters: &'static [&'static [Parameter]],
 }
 
-fn in_one_list<S: serde::Serializer>(
-    groups: &&'static [&'static [Parameter]],
+fn in_one_list<T: Serialize, S: serde::Serializer>(
+    groups: &&'static [&'static [T]],
     serializer: S,
 ) -> Result<S::Ok, S::Error> {
-    serializer.collect_seq(groups.concat())
+    serializer.collect_seq(groups.iter().copied().flatten())
 }
 
 impl MethodInfo {

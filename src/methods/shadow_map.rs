@@ -19,12 +19,10 @@ pub(super) static INFO: MethodInfo = MethodInfo {
     source: "Williams 1978; Milet et al. 2014, table 3",
     needs: &[],
     limits: &[
-        Limit::in_words(
-            "edges are as coarse as the map's texels; acne and detached shadows trade off by bias",
-        ),
-        Limit::in_words(
+        depth_map::LIMITS,
+        &[Limit::in_words(
             "a light among the casters: what its widest frustum (150 degrees) leaves out is lit",
-        ),
+        )],
     ],
     tolerated_share: depth_map::TOLERATED_SHARE,
     parameters: &[

@@ -3,7 +3,7 @@
 use super::MethodInfo;
 use super::silhouette::{INPUT_PARAMETER, SideStage, Silhouette};
 use super::volume_parameters;
-use super::volumes::{COUNTER_LIMIT, NONE_LIMIT, STENCIL, Z_PASS_LIMIT};
+use super::volumes::{self, STENCIL};
 use crate::gpu::Requirement;
 use crate::gpu::native::PrimitiveTopology;
 use crate::gpu::shader::{self, Spirv};
@@ -18,7 +18,7 @@ pub(super) static INFO: MethodInfo = MethodInfo {
         Requirement::GeometryStage,
         STENCIL,
     ],
-    limits: &[COUNTER_LIMIT, Z_PASS_LIMIT, NONE_LIMIT],
+    limits: &[volumes::LIMITS],
     tolerated_share: 0.0,
     parameters: &[
         volume_parameters::PARAMETERS,

@@ -3,9 +3,7 @@
 
 use super::parameters::Parameters;
 use super::volume_parameters::{self, VolumeParameters};
-use super::volumes::{
-    self, COUNTER_LIMIT, NONE_LIMIT, SEAM_LIMIT, STENCIL, StencilVolumes, Z_PASS_LIMIT,
-};
+use super::volumes::{self, STENCIL, StencilVolumes};
 use super::{MethodError, MethodInfo, PrepareContext, PreparedMethod, ShadowMethod};
 use crate::frame::DepthSetup;
 use crate::gpu::Requirement;
@@ -19,7 +17,7 @@ pub(super) static INFO: MethodInfo = MethodInfo {
     title: "a shadow volume of every triangle, by a geometry shader",
     source: "Milet, Kobrtek, Zemčík, Pečiva 2014, section 3 (after Stich et al. 2007)",
     needs: &[Requirement::GeometryStage, STENCIL],
-    limits: &[COUNTER_LIMIT, Z_PASS_LIMIT, NONE_LIMIT, SEAM_LIMIT],
+    limits: &[volumes::LIMITS, volumes::TRIANGLE_LIMITS],
     tolerated_share: 0.0,
     parameters: &[volume_parameters::PARAMETERS],
 };

@@ -2,10 +2,8 @@
 
 use super::parameters::{Parameters, in_range};
 use super::volume_parameters::{self, FrontCap, VolumeParameters};
-use super::volumes::{
-    self, COUNTER_LIMIT, Faces, NONE_LIMIT, SEAM_LIMIT, STENCIL, StencilVolumes, Z_PASS_LIMIT,
-};
-use super::{Limit, MethodError, MethodInfo, PrepareContext, PreparedMethod, ShadowMethod};
+use super::volumes::{self, Faces, STENCIL, StencilVolumes};
+use super::{MethodError, MethodInfo, PrepareContext, PreparedMethod, ShadowMethod};
 use crate::frame::DepthSetup;
 use crate::gpu::Requirement;
 use crate::gpu::native::PrimitiveTopology;
@@ -18,16 +16,7 @@ pub(super) static INFO: MethodInfo = MethodInfo {
     title: "a shadow volume of every triangle, by tessellation shaders",
     source: "Milet, Kobrtek, Zemčík, Pečiva 2014, section 2.1",
     needs: &[Requirement::TessellationStage, STENCIL],
-    limits: &[
-        COUNTER_LIMIT,
-        Z_PASS_LIMIT,
-        NONE_LIMIT,
-        Limit::in_words(
-            "front_cap=in_place: acne, where a cap and its own surface get depths that differ in the \
-         last bit; push_back_px takes most of it away",
-        ),
-        SEAM_LIMIT,
-    ],
+    limits: &[volumes::LIMITS, volumes::TRIANGLE_LIMITS],
     tolerated_share: 0.0,
     parameters: &[
         &[(

@@ -4,6 +4,7 @@
 //! counted, z-fail, z-pass, or for each object whichever is right and draws less. The count of a pixel
 //! is a sum over objects, so objects may be counted in different ways in one frame.
 
+use super::limit::PRECISION_LIMIT;
 use super::volume_parameters::{Counting, VolumeParameters};
 use super::{Limit, MethodError, PrepareContext, PreparedMethod};
 use crate::frame::{Stage, StencilResolve};
@@ -22,35 +23,75 @@ const VOLUMES_STAGE: &str = "volumes";
 pub(super) const STENCIL: Requirement = Requirement::StencilBuffer;
 
 /// What every volume method cannot do.
-pub(super) const COUNTER_LIMIT: Limit = Limit {
-    text: "counts in 8 bits: wrong at a point that is in 256 shadow volumes, or a multiple of it",
-    with: &[],
-    fails: &[],
-    kinds: &[],
-};
-/// What `counting = "z_pass"` cannot do.
-pub(super) const Z_PASS_LIMIT: Limit = Limit {
-    text: "counting=z_pass: wrong where the eye or a part of the near rectangle is in a shadow volume",
-    with: &[("counting", "z_pass")],
-    fails: &[],
-    kinds: &[],
-};
-/// What `determinism = "none"` cannot do.
-pub(super) const NONE_LIMIT: Limit = Limit {
-    text: "determinism=none: leaks where a triangle is nearly edge-on to the light and its edges disagree",
-    with: &[("determinism", "none")],
-    fails: &[],
-    kinds: &[],
-};
+pub(super) const LIMITS: &[Limit] = &[
+    Limit {
+        text: "counts in 8 bits: wrong at a point that is in 256 shadow volumes of single triangles, or a multiple \
+               of it; a closed surface counts for two",
+        with: &[],
+        fails: &[
+            ("stacked_sheets", 256.0),
+            ("nested_shells", 128.0),
+            ("fan", 256.0),
+            ("duplicated", 128.0),
+        ],
+        kinds: &["overflow"],
+    },
+    Limit {
+        text: "counting=z_pass: wrong where the eye or a part of the near rectangle is in a shadow volume",
+        with: &[("counting", "z_pass")],
+        fails: &[
+            ("eye_in_volume", 0.45),
+            ("near_plane_cuts_caster", 1.0),
+            ("light_in_mesh", 0.5),
+            ("light_in_lantern", 0.5),
+            ("light_near_face", 1.0),
+            ("light_on_element", 1.0),
+        ],
+        kinds: &[],
+    },
+    Limit {
+        text: "determinism=none: leaks where a triangle is nearly edge-on to the light and its edges disagree",
+        with: &[("determinism", "none")],
+        fails: &[
+            ("edge_on", 0.0),
+            ("collinear", 0.01),
+            ("needles", 4.0),
+            ("light_near_vertex", 4.0),
+        ],
+        kinds: &[],
+    },
+    Limit {
+        text: "front_cap=in_place: acne, where a cap and its own surface get depths that differ in the last bit; \
+               push_back_px takes most of it away",
+        with: &[("front_cap", "in_place")],
+        fails: &[],
+        kinds: &["acne", "seam", "grazing", "unlabelled"],
+    },
+    Limit {
+        text: "depth=standard: far from the eye the depth buffer cannot tell volumes from the surfaces that they \
+               start from",
+        with: &[("depth", "standard")],
+        fails: &[("far_casters", 4.0), ("large_triangles", 4.0)],
+        kinds: &["acne", "seam", "grazing"],
+    },
+    PRECISION_LIMIT,
+    Limit {
+        text: "single wrong pixels where a side quad starts from a surface and lies in it but for the last bit of \
+               depth: on surfaces edge-on to the light, and in the overlap of triangles in one plane",
+        with: &[],
+        fails: &[("coplanar_overlap", 8.0)],
+        kinds: &["grazing"],
+    },
+];
 
 /// What volumes of single triangles cannot do.
-pub(super) const SEAM_LIMIT: Limit = Limit {
+pub(super) const TRIANGLE_LIMITS: &[Limit] = &[Limit {
     text: "single wrong pixels on edges between triangles, where the side quads of both should leave each \
            other out",
     with: &[],
     fails: &[],
     kinds: &["seam"],
-};
+}];
 
 /// Faces of volumes that are drawn alike.
 pub(super) struct Faces {

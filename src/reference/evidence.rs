@@ -1,6 +1,6 @@
 //! What is known of the surface point behind one pixel: asked of wrong pixels, to tell why.
 
-use glam::{DVec2, DVec3, Vec4};
+use glam::{DVec2, DVec3, Vec3, Vec4};
 
 use super::contact::{Contact, EdgeContact, contact};
 use super::segment::{Light, Plane, Segment};
@@ -92,6 +92,16 @@ impl EvidenceProbe<'_> {
         };
         let corners = &self.reference.tree.primitive(triangle).corners;
         self.projection.at_an_edge(self.centre_px(pixel), corners)
+    }
+
+    /// The sine of the angle between the surface seen and the way to the light; `None` at the background and
+    /// where the triangle has no area.
+    #[must_use]
+    pub fn light_sine(&self, pixel: usize) -> Option<f64> {
+        let (own, point) = self.seen(pixel)?;
+        let [a, b, c] = own.corners.map(Vec3::as_dvec3);
+        let normal = (b - a).cross(c - a).try_normalize()?;
+        Some(normal.dot(self.towards_light(point)).abs())
     }
 
     /// The unit vector from a point towards the light; not a number at the light itself.

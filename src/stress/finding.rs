@@ -32,12 +32,19 @@ impl Finding {
         {
             return Self::Declared(limit);
         }
-        let of_kinds = |limit: &&'static Limit| {
-            let px = |kind: &&str| judgement.analysis.word_px(kind);
-            is_right(artifact_px - limit.kinds.iter().map(px).sum::<u64>())
+        let by_kind = |word: &str| {
+            info.limits_of(&variant)
+                .find(|limit| limit.kinds.contains(&word))
         };
-        match info.limits_of(&variant).find(of_kinds) {
-            Some(limit) => Self::Declared(limit),
+        let kinds = judgement.analysis.label_counts();
+        let declared: Vec<_> = kinds
+            .filter_map(|(word, px)| Some((px, by_kind(word)?)))
+            .collect();
+        let declared_px: u64 = declared.iter().map(|(px, _)| px).sum();
+        // Boundary pixels may have a kind too.
+        let most = declared.into_iter().max_by_key(|(px, _)| *px);
+        match most.filter(|_| is_right(artifact_px.saturating_sub(declared_px))) {
+            Some((_, limit)) => Self::Declared(limit),
             None => Self::Undeclared,
         }
     }

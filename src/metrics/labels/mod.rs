@@ -6,12 +6,13 @@
 //! Rules are asked in this order, and the first that holds decides: the whole frame
 //! (`whole_frame`: inverted, offset); then, for each region of artifact pixels, overflow
 //! (`blockers`), uncovered (`blockers`), staircase (`staircase`), detached shadow (`blockers`), leak (`streak`), acne
-//! (`speckle`) and seam. Boundary pixels belong to no region: they can only be part of a staircase, or of
+//! (`speckle`), seam and grazing. Boundary pixels belong to no region: they can only be part of a staircase, or of
 //! what is true of the whole frame.
 
 mod blockers;
 mod clusters;
 mod frame;
+mod grazing;
 mod seam;
 mod speckle;
 mod staircase;
@@ -30,6 +31,7 @@ use blockers::{is_detached, is_overflow, is_uncovered, samples_a_region};
 use clusters::Clusters;
 use frame::Frame;
 pub use frame::{FrameContext, TexelLookup};
+use grazing::is_grazing;
 use seam::is_seam;
 use speckle::is_speckle;
 use staircase::Staircase;
@@ -53,6 +55,8 @@ pub enum Label {
     Uncovered,
     /// One or two pixels on an edge between triangles, where the surface goes on.
     Seam,
+    /// On a surface that the light sees edge-on but for a little.
+    Grazing,
     /// The whole mask is the opposite of the truth.
     Inverted,
     /// The whole mask is the truth, moved by one pixel.
@@ -63,7 +67,7 @@ pub enum Label {
 
 impl Label {
     /// All of them.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 11] = [
         Self::Acne,
         Self::DetachedShadow,
         Self::Leak,
@@ -71,6 +75,7 @@ impl Label {
         Self::Overflow,
         Self::Uncovered,
         Self::Seam,
+        Self::Grazing,
         Self::Inverted,
         Self::Offset,
         Self::Unlabelled,
@@ -87,6 +92,7 @@ impl Label {
             Self::Overflow => "overflow",
             Self::Uncovered => "uncovered",
             Self::Seam => "seam",
+            Self::Grazing => "grazing",
             Self::Inverted => "inverted",
             Self::Offset => "offset",
             Self::Unlabelled => "unlabelled",
@@ -193,6 +199,8 @@ fn label_regions(frame: &Frame<'_>, artifacts: &mut [Artifact], staircase: Optio
                 Label::Acne
             } else if is_seam(frame, artifact) {
                 Label::Seam
+            } else if is_grazing(frame, artifact) {
+                Label::Grazing
             } else {
                 Label::Unlabelled
             }
