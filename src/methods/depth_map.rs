@@ -36,6 +36,12 @@ pub(super) const LIMITS: &[Limit] = &[
         fails: &[],
         kinds: &["staircase", "acne", "detached_shadow"],
     },
+    Limit {
+        text: "slope_bias=0: acne on every surface that does not face the light squarely",
+        with: &[("slope_bias", "0.0")],
+        fails: &[],
+        kinds: &["acne", "unlabelled"],
+    },
     PRECISION_LIMIT,
 ];
 

@@ -20,9 +20,17 @@ pub(super) static INFO: MethodInfo = MethodInfo {
     needs: &[],
     limits: &[
         depth_map::LIMITS,
-        &[Limit::in_words(
-            "a light among the casters: what its widest frustum (150 degrees) leaves out is lit",
-        )],
+        &[Limit {
+            text: "a light among the casters: what its widest frustum (150 degrees) leaves out is lit",
+            with: &[],
+            fails: &[
+                ("light_in_mesh", 0.5),
+                ("light_in_lantern", 0.5),
+                ("light_near_face", 1.0),
+                ("light_on_element", 1.0),
+            ],
+            kinds: &["uncovered"],
+        }],
     ],
     tolerated_share: depth_map::TOLERATED_SHARE,
     parameters: &[

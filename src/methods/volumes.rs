@@ -65,7 +65,7 @@ pub(super) const LIMITS: &[Limit] = &[
                push_back_px takes most of it away",
         with: &[("front_cap", "in_place")],
         fails: &[],
-        kinds: &["acne", "seam", "grazing", "unlabelled"],
+        kinds: &["acne", "leak", "seam", "grazing", "unlabelled"],
     },
     Limit {
         text: "depth=standard: far from the eye the depth buffer cannot tell volumes from the surfaces that they \

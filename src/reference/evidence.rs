@@ -84,14 +84,16 @@ impl EvidenceProbe<'_> {
         })
     }
 
-    /// Whether an edge of the triangle seen passes the pixel's centre nearer than the rasteriser can tell.
+    /// Whether an edge of the triangle seen passes the pixel's centre nearer than so many steps of the
+    /// rasteriser's grid.
     #[must_use]
-    pub fn at_an_edge(&self, pixel: usize) -> bool {
+    pub fn at_an_edge(&self, pixel: usize, steps: f64) -> bool {
         let Some(triangle) = self.triangle_id(pixel).checked_sub(1) else {
             return false;
         };
         let corners = &self.reference.tree.primitive(triangle).corners;
-        self.projection.at_an_edge(self.centre_px(pixel), corners)
+        self.projection
+            .at_an_edge(self.centre_px(pixel), corners, steps)
     }
 
     /// The sine of the angle between the surface seen and the way to the light; `None` at the background and

@@ -23,11 +23,13 @@ const GRID_PX: f64 = 1.0 / 256.0;
 const SINGLE_PRECISION: f64 = 1e-5;
 
 impl Projection {
-    /// Whether an edge of a triangle passes a place, or misses it, by less than the grid can tell.
-    pub(super) fn at_an_edge(&self, place_px: DVec2, corners: &[Vec3; 3]) -> bool {
+    /// Whether an edge of a triangle passes a place, or misses it, by less than so many steps of the grid
+    /// can tell.
+    pub(super) fn at_an_edge(&self, place_px: DVec2, corners: &[Vec3; 3], steps: f64) -> bool {
         let middle_px = self.size_px / 2.0;
+        let beside_px = middle_px + steps * GRID_PX;
         // An angle is largest in the middle of the picture.
-        let [one, other] = [middle_px, middle_px + GRID_PX].map(|at| self.ray(at).direction);
+        let [one, other] = [middle_px, beside_px].map(|at| self.ray(at).direction);
         !meets_well_inside(&self.ray(place_px), corners, one.distance(other))
     }
 }

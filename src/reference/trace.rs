@@ -87,7 +87,7 @@ impl Reference {
                     continue;
                 };
                 *verdict = self.judge(own, point, projection.eye, light, &mut last_blocker);
-                if projection.at_an_edge(centre_px, &own.corners)
+                if projection.at_an_edge(centre_px, &own.corners, 1.0)
                     && !self.goes_on(&projection, centre_px, own, light)
                 {
                     *verdict = Verdict::Ambiguous;
