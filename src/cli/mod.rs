@@ -2,6 +2,7 @@
 
 mod accuracy;
 mod list;
+mod metamorphic;
 mod progress;
 mod render;
 mod report;
@@ -37,6 +38,8 @@ enum Command {
     Accuracy(accuracy::AccuracyArgs),
     /// Draw one frame with one method, and compare it with the truth.
     Render(render::RenderArgs),
+    /// Change scenes in ways that do not change their shadow, and look whether a mask changes.
+    Metamorphic(metamorphic::MetamorphicArgs),
     /// List methods, scenes and devices.
     List(list::ListArgs),
     /// Write the report of a run directory again, or one of several runs together.
@@ -97,6 +100,7 @@ impl Cli {
             Command::Run(args) => run::execute(&args, None),
             Command::Accuracy(args) => accuracy::execute(&args),
             Command::Render(args) => render::execute(&args),
+            Command::Metamorphic(args) => metamorphic::execute(&args),
             Command::List(args) => list::execute(&args),
             Command::Report(args) => report::execute(&args),
         }

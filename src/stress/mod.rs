@@ -9,7 +9,14 @@
     reason = "experiment"
 )]
 
+mod change;
+mod damage;
+#[cfg(test)]
+mod fixtures;
+pub mod metamorphic;
 pub mod random;
 mod trial;
 
+pub use change::{Change, Changed, Keeps};
+pub use damage::damage;
 pub use trial::{Attempt, Drawn, Studio, Trial};
