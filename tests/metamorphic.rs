@@ -3,14 +3,16 @@
 
 mod common;
 
-use common::device;
+use common::{device, scene_over_ground, view};
+use glam::Vec3;
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use std::path::Path;
 use svbench::config::find_scene;
 use svbench::methods::{ShadowMethod, parameters::parse_method};
 use svbench::scene::Scene;
-use svbench::stress::{Studio, damage, metamorphic, random};
+use svbench::stress::metamorphic::Original;
+use svbench::stress::{Change, Changed, Studio, damage, metamorphic, random};
 
 const SIZE_PX: (u32, u32) = (160, 120);
 const METHODS: [&str; 5] = [
@@ -82,4 +84,60 @@ fn sponza_keeps_its_shadow_however_it_is_told() {
 #[test]
 fn random_scenes_keep_their_shadow_however_they_are_told() {
     assert_unchanged((0..100).map(random::case));
+}
+
+/// A leaning sheet with the light in its plane as nearly as single precision can say.
+fn edge_on_sheet() -> Scene {
+    const SIDE: u32 = 9;
+    let (u, v) = (Vec3::new(2.1, 0.13, 0.9), Vec3::new(0.17, 1.9, 0.31));
+    let origin = Vec3::new(-1.3, 0.4, -0.7);
+    let at = |i: u32, j: u32| origin + u * (i as f32 / SIDE as f32) + v * (j as f32 / SIDE as f32);
+    let cells = (0..SIDE * SIDE).map(|cell| (cell % SIDE, cell / SIDE));
+    let triangles: Vec<_> = cells
+        .flat_map(|(i, j)| {
+            let [a, b, c, d] = [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)];
+            [[a, b, c], [a, c, d]]
+        })
+        .collect();
+    let light = origin + u * 0.6 + v * 4.3;
+    scene_over_ground(&triangles, 0.0, light.extend(1.0), &view())
+}
+
+#[test]
+fn edges_that_decide_by_themselves_are_caught() {
+    let gpu = device();
+    let studio = Studio::new(&gpu, (320, 240));
+    let scene = edge_on_sheet();
+    let wrong_px = |method: &str, change: Change| {
+        let methods = methods(&[method]);
+        let mut random = ChaCha8Rng::seed_from_u64(2);
+        let rows = metamorphic::check(&studio, &scene, &methods, &mut random).unwrap();
+        let row = rows.iter().find(|row| row.change == change).unwrap();
+        println!("{row:?}");
+        row.wrong_px()
+    };
+    let none = "silhouette_gs,determinism=none";
+    assert_eq!(wrong_px(none, Change::Again), 0);
+    assert!(wrong_px(none, Change::RotateVertices) > 10);
+    assert_eq!(wrong_px("silhouette_gs", Change::RotateVertices), 0);
+}
+
+#[test]
+fn a_change_of_the_shadow_is_caught() {
+    let gpu = device();
+    let studio = Studio::new(&gpu, SIZE_PX);
+    let scene = sphere_grid();
+    let methods = methods(&METHODS);
+    let mut moved = scene.clone();
+    let first = moved.mesh.objects[0].vertices.start as usize;
+    moved.mesh.positions[first].y += 3.0;
+    let changed = Changed {
+        origins: (0..scene.mesh.triangles.len() as u32).collect(),
+        scene: moved,
+    };
+    let original = Original::draw(&studio, &scene, &methods).unwrap();
+    for pixels in original.compare(&changed).unwrap() {
+        let pixels = pixels.unwrap();
+        assert!(pixels.decided_px > 10, "{pixels:?}");
+    }
 }
