@@ -13,7 +13,7 @@ use crate::metrics::MaskComparison;
 use crate::reference::{ReferenceCache, Verdict};
 use crate::scene::{Mesh, Scene};
 use rand::Rng;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Pixels of two masks of one scene, told in two ways.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -49,6 +49,9 @@ impl Difference {
         }
     }
 }
+
+/// What is true of a pixel before and after a change.
+type PixelTruths = (PixelTruth, PixelTruth);
 
 /// A mask, or why there is none.
 type Mask = Result<Vec<u8>, String>;
@@ -129,35 +132,67 @@ impl<'a> Original<'a> {
             .zip(&masks)
             .map(|(before, after)| Ok(differing(before.as_ref()?, after.as_ref()?)))
             .collect();
+        // Methods mostly differ at the same pixels, and the truth of a large scene takes a while.
+        let mut known: Vec<(DepthSetup, BTreeMap<usize, PixelTruths>)> = Vec::new();
         let mut rows = Vec::with_capacity(masks.len());
         for (pixels, method) in differing.iter().zip(self.methods) {
-            rows.push(match pixels {
-                Err(reason) => Err((*reason).clone()),
-                Ok(pixels) => Ok(self.judge(changed, method.depth_setup(), pixels)?),
-            });
+            let pixels = match pixels {
+                Ok(pixels) => pixels,
+                Err(reason) => {
+                    rows.push(Err((*reason).clone()));
+                    continue;
+                }
+            };
+            let depth = method.depth_setup();
+            let truths = match known.iter().position(|(setup, _)| *setup == depth) {
+                Some(i) => &known[i].1,
+                None => {
+                    let alike = differing.iter().zip(self.methods);
+                    let alike = alike.filter(|(_, method)| method.depth_setup() == depth);
+                    let pixels: BTreeSet<usize> = alike
+                        .flat_map(|(pixels, _)| pixels.iter().flatten().copied())
+                        .collect();
+                    known.push((depth, self.truths(changed, depth, &pixels)?));
+                    &known[known.len() - 1].1
+                }
+            };
+            rows.push(Ok(self.count(changed, pixels, truths)));
         }
         Ok(rows)
     }
 
-    /// Counts differing pixels by what they mean.
-    fn judge(
+    /// What is true of some pixels in both scenes.
+    fn truths(
         &self,
         changed: &Changed,
         depth: DepthSetup,
+        pixels: &BTreeSet<usize>,
+    ) -> anyhow::Result<BTreeMap<usize, PixelTruths>> {
+        if pixels.is_empty() {
+            return Ok(BTreeMap::new());
+        }
+        let pixels: Vec<_> = pixels.iter().copied().collect();
+        let before = look(self.studio, self.scene, depth, &pixels)?;
+        let after = look(self.studio, &changed.scene, depth, &pixels)?;
+        let both = before.into_iter().zip(after);
+        Ok(pixels.into_iter().zip(both).collect())
+    }
+
+    /// Counts differing pixels by what they mean.
+    fn count(
+        &self,
+        changed: &Changed,
         pixels: &[usize],
-    ) -> anyhow::Result<DifferingPixels> {
+        truths: &BTreeMap<usize, PixelTruths>,
+    ) -> DifferingPixels {
         let mut counts = DifferingPixels {
             differing_px: pixels.len() as u64,
             ..DifferingPixels::default()
         };
-        if pixels.is_empty() {
-            return Ok(counts);
-        }
-        let before = look(self.studio, self.scene, depth, pixels)?;
-        let after = look(self.studio, &changed.scene, depth, pixels)?;
         let width = self.studio.size_px.0;
         let (mut decided, mut beyond) = (None, None);
-        for ((pixel, before), after) in pixels.iter().zip(&before).zip(&after) {
+        for pixel in pixels {
+            let (before, after) = &truths[pixel];
             let origin = after.triangle.map(|t| changed.origins[t as usize]);
             let is_same = same_triangle(&self.scene.mesh, before.triangle, origin);
             if !is_same
@@ -176,7 +211,7 @@ impl<'a> Original<'a> {
             }
         }
         counts.example = beyond.or(decided);
-        Ok(counts)
+        counts
     }
 }
 
