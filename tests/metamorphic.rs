@@ -4,7 +4,7 @@
 mod common;
 
 use common::{device, scene_over_ground, view};
-use glam::Vec3;
+use glam::{Vec3, Vec4};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use std::path::Path;
@@ -15,12 +15,14 @@ use svbench::stress::metamorphic::Original;
 use svbench::stress::{Change, Changed, Studio, damage, metamorphic, random};
 
 const SIZE_PX: (u32, u32) = (160, 120);
+/// All are pushed back: without it, copies of a side quad of which each half of a split object has one do
+/// not always cancel, and nor do those of a sheet that is edge-on to the light.
 const METHODS: [&str; 5] = [
-    "silhouette_ts",
-    "silhouette_gs",
+    "silhouette_ts,push_back_px=0.00390625",
+    "silhouette_gs,push_back_px=0.00390625",
     "triangle_ts",
-    "triangle_gs",
-    "silhouette_gs,counting=auto",
+    "triangle_gs,push_back_px=0.00390625",
+    "silhouette_gs,push_back_px=0.00390625,counting=auto",
 ];
 
 fn methods(ids: &[&str]) -> Vec<Box<dyn ShadowMethod>> {
@@ -28,14 +30,13 @@ fn methods(ids: &[&str]) -> Vec<Box<dyn ShadowMethod>> {
 }
 
 /// Checks scenes with all methods, and fails if a mask changed that may not.
-fn assert_unchanged(scenes: impl IntoIterator<Item = Scene>) {
+fn assert_unchanged(scenes: impl IntoIterator<Item = Scene>, methods: &[Box<dyn ShadowMethod>]) {
     let gpu = device();
     let studio = Studio::new(&gpu, SIZE_PX);
-    let methods = methods(&METHODS);
     let (mut rows, mut faults) = (0, Vec::new());
     for scene in scenes {
         let mut random = ChaCha8Rng::seed_from_u64(rows as u64);
-        let differences = metamorphic::check(&studio, &scene, &methods, &mut random).unwrap();
+        let differences = metamorphic::check(&studio, &scene, methods, &mut random).unwrap();
         rows += differences.len();
         for difference in differences {
             let pixels = difference.pixels.as_ref().unwrap();
@@ -66,7 +67,7 @@ fn a_sphere_grid_keeps_its_shadow_however_it_is_told() {
     let grid = sphere_grid();
     let few_flaws = damaged(&grid, 0.02);
     let many_flaws = damaged(&grid, 0.5);
-    assert_unchanged([grid, few_flaws, many_flaws]);
+    assert_unchanged([grid, few_flaws, many_flaws], &methods(&METHODS));
 }
 
 #[test]
@@ -75,7 +76,9 @@ fn sponza_keeps_its_shadow_however_it_is_told() {
     match plan.file.load(&plan.search) {
         Ok(sponza) => {
             let flawed = damaged(&sponza, 0.02);
-            assert_unchanged([sponza, flawed]);
+            // A frame of each triangle's volume takes long: once is enough.
+            assert_unchanged([sponza], &methods(&METHODS[..2]));
+            assert_unchanged([flawed], &methods(&METHODS));
         }
         Err(error) => println!("skipped: {error}"),
     }
@@ -83,7 +86,7 @@ fn sponza_keeps_its_shadow_however_it_is_told() {
 
 #[test]
 fn random_scenes_keep_their_shadow_however_they_are_told() {
-    assert_unchanged((0..100).map(random::case));
+    assert_unchanged((0..100).map(random::case), &methods(&METHODS));
 }
 
 /// A leaning sheet with the light in its plane as nearly as single precision can say.
@@ -116,30 +119,31 @@ fn edges_that_decide_by_themselves_are_caught() {
         println!("{row:?}");
         row.wrong_px()
     };
-    let none = "silhouette_gs,determinism=none";
-    assert_eq!(wrong_px(none, Change::Again), 0);
-    assert!(wrong_px(none, Change::RotateVertices) > 5);
-    assert_eq!(wrong_px("silhouette_gs", Change::RotateVertices), 0);
+    let robust = METHODS[1];
+    let none = format!("{robust},determinism=none");
+    assert_eq!(wrong_px(&none, Change::Again), 0);
+    assert!(wrong_px(&none, Change::RotateVertices) > 5);
+    assert_eq!(wrong_px(robust, Change::RotateVertices), 0);
 }
 
 #[test]
 fn a_change_of_the_shadow_is_caught() {
     let gpu = device();
     let studio = Studio::new(&gpu, SIZE_PX);
-    let scene = sphere_grid();
-    let methods = methods(&METHODS);
-    let mut moved = scene.clone();
-    let middle = scene.mesh.objects[12].vertex_range();
-    for position in &mut moved.mesh.positions[middle] {
-        position.y += 1.0;
-    }
+    let at = |x: f32| {
+        let corners = [(-1.0, -1.0), (0.2, 1.3), (1.1, -0.4)];
+        let triangle = corners.map(|(dx, z)| Vec3::new(x + dx, 1.0, z));
+        scene_over_ground(&[triangle], 0.0, Vec4::new(1.0, 9.0, 2.0, 1.0), &view())
+    };
+    let (scene, methods) = (at(0.0), methods(&METHODS));
     let changed = Changed {
+        scene: at(0.7),
         origins: (0..scene.mesh.triangles.len() as u32).collect(),
-        scene: moved,
     };
     let original = Original::draw(&studio, &scene, &methods).unwrap();
     for pixels in original.compare(&changed).unwrap() {
         let pixels = pixels.unwrap();
-        assert!(pixels.decided_px > 10, "{pixels:?}");
+        println!("{pixels:?}");
+        assert!(pixels.decided_px > 100, "{pixels:?}");
     }
 }

@@ -48,56 +48,73 @@ struct Row {
     sums: [Option<(u64, u64)>; Change::ALL.len()],
 }
 
+/// What is the same for all scenes, and what came of them.
+struct Checks<'a> {
+    studio: Studio<'a>,
+    methods: Vec<Box<dyn ShadowMethod>>,
+    unavailable: BTreeSet<String>,
+    /// Masks that changed and may not.
+    wrong: usize,
+}
+
 #[allow(clippy::print_stdout, reason = "the table is this command's result")]
 pub(super) fn execute(args: &MetamorphicArgs) -> anyhow::Result<()> {
     let methods = methods(args)?;
     let scenes = scenes(args)?;
     let gpu = args.device.open()?;
     check_size(&gpu, args.size, "--size")?;
-    let studio = Studio::new(&gpu, args.size);
-    let mut unavailable = BTreeSet::new();
-    let mut wrong = 0;
-    let mut check = |row: &mut Row, scene: &Scene, seed: u64| {
-        let mut random = ChaCha8Rng::seed_from_u64(seed);
-        let differences = metamorphic::check(&studio, scene, &methods, &mut random)
-            .with_context(|| format!("scene `{}`", scene.name))?;
-        for difference in &differences {
-            if let Err(reason) = &difference.pixels {
-                unavailable.insert(format!("{}: {reason}", difference.method));
-            }
-            if difference.wrong_px() > 0 {
-                wrong += 1;
-                println!("{}", line(scene, difference));
-            }
-            row.add(difference);
-        }
-        anyhow::Ok(())
+    let mut checks = Checks {
+        studio: Studio::new(&gpu, args.size),
+        methods,
+        unavailable: BTreeSet::new(),
+        wrong: 0,
     };
     let mut rows = Vec::new();
     for scene in &scenes {
         let mut random = ChaCha8Rng::seed_from_u64(args.seed);
         for scene in [scene, &damage(scene, DAMAGED_SHARE, &mut random)] {
             let mut row = Row::new(scene.name.clone());
-            check(&mut row, scene, args.seed)?;
+            checks.check(&mut row, scene, args.seed)?;
             rows.push(row);
         }
     }
     if args.soups > 0 {
         let mut row = Row::new(format!("{} random scenes", args.soups));
         for seed in (args.seed..).take(args.soups as usize) {
-            check(&mut row, &random::case(seed), seed)?;
+            checks.check(&mut row, &random::case(seed), seed)?;
         }
         rows.push(row);
     }
-    for method in &unavailable {
+    for method in &checks.unavailable {
         println!("not available: {method}");
     }
     print!("{}", table(&rows));
     args.device.check_validation()?;
-    if wrong > 0 {
-        anyhow::bail!("{wrong} masks changed that may not");
+    match checks.wrong {
+        0 => Ok(()),
+        wrong => anyhow::bail!("{wrong} masks changed that may not"),
     }
-    Ok(())
+}
+
+impl Checks<'_> {
+    #[allow(clippy::print_stdout, reason = "failures are told as they come")]
+    fn check(&mut self, row: &mut Row, scene: &Scene, seed: u64) -> anyhow::Result<()> {
+        let mut random = ChaCha8Rng::seed_from_u64(seed);
+        let differences = metamorphic::check(&self.studio, scene, &self.methods, &mut random)
+            .with_context(|| format!("scene `{}`", scene.name))?;
+        for difference in &differences {
+            if let Err(reason) = &difference.pixels {
+                let method = &difference.method;
+                self.unavailable.insert(format!("{method}: {reason}"));
+            }
+            if difference.wrong_px() > 0 {
+                self.wrong += 1;
+                println!("{}", line(scene, difference));
+            }
+            row.add(difference);
+        }
+        Ok(())
+    }
 }
 
 fn methods(args: &MetamorphicArgs) -> anyhow::Result<Vec<Box<dyn ShadowMethod>>> {
@@ -117,10 +134,14 @@ fn methods(args: &MetamorphicArgs) -> anyhow::Result<Vec<Box<dyn ShadowMethod>>>
 }
 
 /// The scenes named; of the default ones, those whose models are there.
+#[allow(
+    clippy::print_stdout,
+    reason = "what was not checked belongs to the result"
+)]
 fn scenes(args: &MetamorphicArgs) -> anyhow::Result<Vec<Scene>> {
     let load = |name: &str| {
         let plan = find_scene(name, Path::new(""))?;
-        Ok::<_, anyhow::Error>(plan.file.load(&plan.search))
+        Ok::<_, ConfigError>(plan.file.load(&plan.search))
     };
     if !args.scenes.is_empty() {
         return args.scenes.iter().map(|name| Ok(load(name)??)).collect();
@@ -128,11 +149,10 @@ fn scenes(args: &MetamorphicArgs) -> anyhow::Result<Vec<Scene>> {
     let mut scenes = Vec::new();
     for name in SCENES {
         match load(name)? {
-            Ok(scene) => scenes.push(scene),
             Err(error @ SceneError::MissingModel { .. }) => {
-                log::warn!("{name} is left out: {error}")
+                println!("{name} is left out: {error}");
             }
-            Err(error) => return Err(ConfigError(error.to_string()).into()),
+            scene => scenes.push(scene?),
         }
     }
     Ok(scenes)
