@@ -15,8 +15,8 @@ use svbench::stress::metamorphic::Original;
 use svbench::stress::{Change, Changed, Studio, damage, metamorphic, random};
 
 const SIZE_PX: (u32, u32) = (160, 120);
-/// All are pushed back: without it, copies of a side quad of which each half of a split object has one do
-/// not always cancel, and nor do those of a sheet that is edge-on to the light.
+/// All are pushed back: without it, the volumes of a sheet that is edge-on to the light lie in the sheet's own
+/// plane, to the last bit of depth, and the order of its vertices shows.
 const METHODS: [&str; 5] = [
     "silhouette_ts,push_back_px=0.00390625",
     "silhouette_gs,push_back_px=0.00390625",
@@ -43,7 +43,12 @@ fn assert_unchanged(scenes: impl IntoIterator<Item = Scene>, methods: &[Box<dyn 
             if pixels.differing_px > 0 {
                 println!("{}: {difference:?}", scene.name);
             }
-            if difference.wrong_px() > 0 {
+            // Geometry shaders begin all copies of a side quad at the same vertex.
+            let exact = matches!(
+                difference.change,
+                Change::SplitObjects | Change::MergeObjects
+            ) && !difference.method.starts_with("silhouette_ts");
+            if difference.wrong_px() > 0 || exact && pixels.decided_px > 0 {
                 faults.push(format!("{}: {difference:?}", scene.name));
             }
         }
@@ -109,7 +114,7 @@ fn edge_on_sheet() -> Scene {
 #[test]
 fn edges_that_decide_by_themselves_are_caught() {
     let gpu = device();
-    let studio = Studio::new(&gpu, (320, 240));
+    let studio = Studio::new(&gpu, (640, 480));
     let scene = edge_on_sheet();
     let wrong_px = |method: &str, change: Change| {
         let methods = methods(&[method]);
@@ -122,7 +127,7 @@ fn edges_that_decide_by_themselves_are_caught() {
     let robust = METHODS[1];
     let none = format!("{robust},determinism=none");
     assert_eq!(wrong_px(&none, Change::Again), 0);
-    assert!(wrong_px(&none, Change::RotateVertices) > 5);
+    assert!(wrong_px(&none, Change::RotateVertices) > 0);
     assert_eq!(wrong_px(robust, Change::RotateVertices), 0);
 }
 

@@ -5,12 +5,9 @@
 //! telling is wrong in one of the two pictures, and no truth is needed to see that: *metamorphic testing*
 //! (Chen, Cheung, Yiu 1998).
 
-use crate::geometry::Topology;
-use crate::scene::{CameraKey, CameraPath, Mesh, Object, Part, Scene};
-use glam::Vec3;
-use rand::seq::SliceRandom;
+use super::retold;
+use crate::scene::Scene;
 use rand::{Rng, RngExt};
-use std::collections::HashSet;
 
 /// A change of a scene that does not change its shadow.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -44,7 +41,7 @@ pub enum Change {
 pub enum Keeps {
     /// Every pixel of the mask.
     EveryPixel,
-    /// The mask but for pixels at the true shadow boundary, since rounding moves the geometry.
+    /// The mask but for pixels at the true shadow boundary, which last bits decide.
     AllButBoundary,
 }
 
@@ -56,9 +53,6 @@ pub struct Changed {
     /// Of each triangle, the one of the scene before that it is, or is a part of.
     pub origins: Vec<u32>,
 }
-
-/// A mesh, and of each triangle the one that it comes from.
-type Retold = (Mesh, Vec<u32>);
 
 impl Change {
     /// All changes.
@@ -113,6 +107,10 @@ impl Change {
     /// What it leaves as it is.
     pub fn keeps(self) -> Keeps {
         match self {
+            // Copies of a side quad that cancel within one object's edge are drawn from two edges instead. A
+            // tessellator begins the two at different vertices, and their last bits of depth may differ.
+            Self::SplitObjects | Self::MergeObjects => Keeps::AllButBoundary,
+            // The middles of edges are rounded, which moves the surface.
             Self::Subdivide => Keeps::AllButBoundary,
             _ => Keeps::EveryPixel,
         }
@@ -123,23 +121,23 @@ impl Change {
     pub fn apply(self, scene: &Scene, random: &mut impl Rng) -> Option<Changed> {
         let mesh = &scene.mesh;
         let (mesh, origins) = match self {
-            Self::Again => (mesh.clone(), identity(mesh.triangles.len())),
-            Self::ReorderTriangles => reorder_triangles(mesh, random),
-            Self::RenumberVertices => renumber_vertices(mesh, random),
+            Self::Again => (mesh.clone(), retold::identity(mesh.triangles.len())),
+            Self::ReorderTriangles => retold::reorder_triangles(mesh, random),
+            Self::RenumberVertices => retold::renumber_vertices(mesh, random),
             Self::RotateVertices => {
-                each_triangle(mesh, |_, t| t.rotate_left(random.random_range(0..3)))
+                retold::each_triangle(mesh, |_, t| t.rotate_left(random.random_range(0..3)))
             }
-            Self::FlipTriangles => each_triangle(mesh, |_, t| {
+            Self::FlipTriangles => retold::each_triangle(mesh, |_, t| {
                 if random.random_bool(0.5) {
                     t.swap(1, 2);
                 }
             }),
-            Self::FlipClosedObjects => flip_closed_objects(mesh)?,
-            Self::SplitObjects => split_objects(mesh, random)?,
-            Self::MergeObjects => merge_objects(mesh)?,
-            Self::ReorderObjects => reorder_objects(mesh, random)?,
-            Self::Scale => return scale(scene, random),
-            Self::Subdivide => subdivide(mesh),
+            Self::FlipClosedObjects => retold::flip_closed_objects(mesh)?,
+            Self::SplitObjects => retold::split_objects(mesh, random)?,
+            Self::MergeObjects => retold::merge_objects(mesh)?,
+            Self::ReorderObjects => retold::reorder_objects(mesh, random)?,
+            Self::Scale => return retold::scale(scene, random),
+            Self::Subdivide => retold::subdivide(mesh),
         };
         let mut changed = scene.clone();
         changed.mesh_hash = mesh.hash();
@@ -149,215 +147,6 @@ impl Change {
             origins,
         })
     }
-}
-
-fn identity(count: usize) -> Vec<u32> {
-    (0..count as u32).collect()
-}
-
-/// The same mesh with each triangle changed in place.
-fn each_triangle(mesh: &Mesh, mut change: impl FnMut(usize, &mut [u32; 3])) -> Retold {
-    let mut changed = mesh.clone();
-    let triangles = changed.triangles.iter_mut().enumerate();
-    triangles.for_each(|(i, triangle)| change(i, triangle));
-    (changed, identity(mesh.triangles.len()))
-}
-
-fn reorder_triangles(mesh: &Mesh, random: &mut impl Rng) -> Retold {
-    let mut origins = identity(mesh.triangles.len());
-    for object in &mesh.objects {
-        origins[object.triangle_range()].shuffle(random);
-    }
-    let triangles = origins.iter().map(|t| mesh.triangles[*t as usize]);
-    let changed = Mesh {
-        triangles: triangles.collect(),
-        ..mesh.clone()
-    };
-    (changed, origins)
-}
-
-fn renumber_vertices(mesh: &Mesh, random: &mut impl Rng) -> Retold {
-    let mut numbers = identity(mesh.positions.len());
-    for object in &mesh.objects {
-        numbers[object.vertex_range()].shuffle(random);
-    }
-    let (mut changed, origins) = each_triangle(mesh, |_, triangle| {
-        *triangle = triangle.map(|vertex| numbers[vertex as usize]);
-    });
-    for (number, position) in numbers.iter().zip(&mesh.positions) {
-        changed.positions[*number as usize] = *position;
-    }
-    (changed, origins)
-}
-
-fn flip_closed_objects(mesh: &Mesh) -> Option<Retold> {
-    let topology = Topology::build(mesh);
-    let mut is_flipped = vec![false; mesh.triangles.len()];
-    for (object, edges) in mesh.objects.iter().zip(&topology.object_edges) {
-        let edges = &topology.edges[edges.start as usize..edges.end as usize];
-        let is_closed = !edges.is_empty() && edges.iter().all(|edge| edge.opposite_count == 2);
-        if is_closed && is_oriented(&mesh.triangles[object.triangle_range()]) {
-            is_flipped[object.triangle_range()].fill(true);
-        }
-    }
-    let flip = |i: usize, triangle: &mut [u32; 3]| {
-        if is_flipped[i] {
-            triangle.swap(1, 2);
-        }
-    };
-    is_flipped
-        .contains(&true)
-        .then(|| each_triangle(mesh, flip))
-}
-
-/// Whether no two triangles run along an edge in the same direction.
-fn is_oriented(triangles: &[[u32; 3]]) -> bool {
-    let mut seen = HashSet::with_capacity(3 * triangles.len());
-    let mut half_edges = triangles
-        .iter()
-        .flat_map(|&[a, b, c]| [(a, b), (b, c), (c, a)]);
-    half_edges.all(|half_edge| seen.insert(half_edge))
-}
-
-/// An object like `object` of some triangles of the mesh.
-fn part(mesh: &Mesh, object: &Object, triangles: &[u32]) -> Part {
-    let corners: Vec<_> = triangles
-        .iter()
-        .map(|t| mesh.corners(*t as usize))
-        .collect();
-    part_like(object, &corners)
-}
-
-/// An object like `object` of other triangles.
-pub(super) fn part_like(object: &Object, triangles: &[[Vec3; 3]]) -> Part {
-    let part = Part::of_triangles(&object.name, triangles);
-    if object.casts_shadow {
-        part
-    } else {
-        part.receiver()
-    }
-}
-
-fn split_objects(mesh: &Mesh, random: &mut impl Rng) -> Option<Retold> {
-    let (mut parts, mut origins) = (Vec::new(), Vec::new());
-    for object in &mesh.objects {
-        let (one, other): (Vec<u32>, Vec<u32>) = object
-            .triangles
-            .clone()
-            .partition(|_| random.random_bool(0.5));
-        for half in [one, other] {
-            parts.push(part(mesh, object, &half));
-            origins.extend(half);
-        }
-    }
-    let changed: Mesh = parts.into_iter().collect();
-    (changed.objects.len() > mesh.objects.len()).then_some((changed, origins))
-}
-
-fn merge_objects(mesh: &Mesh) -> Option<Retold> {
-    let (mut parts, mut origins) = (Vec::new(), Vec::new());
-    for casts_shadow in [true, false] {
-        let mut alike = mesh
-            .objects
-            .iter()
-            .filter(|o| o.casts_shadow == casts_shadow);
-        let Some(first) = alike.clone().next() else {
-            continue;
-        };
-        let triangles: Vec<u32> = alike.by_ref().flat_map(|o| o.triangles.clone()).collect();
-        parts.push(part(mesh, first, &triangles));
-        origins.extend(triangles);
-    }
-    let changed: Mesh = parts.into_iter().collect();
-    (changed.objects.len() < mesh.objects.len()).then_some((changed, origins))
-}
-
-fn reorder_objects(mesh: &Mesh, random: &mut impl Rng) -> Option<Retold> {
-    if mesh.objects.len() < 2 {
-        return None;
-    }
-    let mut objects: Vec<_> = mesh.objects.iter().collect();
-    objects.shuffle(random);
-    let (mut changed, mut origins) = (Mesh::default(), Vec::new());
-    for object in objects {
-        let (vertex, triangle) = (changed.positions.len() as u32, origins.len() as u32);
-        let moved = |corner: u32| corner - object.vertices.start + vertex;
-        let triangles = mesh.triangles[object.triangle_range()].iter();
-        changed
-            .positions
-            .extend(&mesh.positions[object.vertex_range()]);
-        changed.triangles.extend(triangles.map(|t| t.map(moved)));
-        origins.extend(object.triangles.clone());
-        changed.objects.push(Object {
-            name: object.name.clone(),
-            vertices: vertex..changed.positions.len() as u32,
-            triangles: triangle..origins.len() as u32,
-            casts_shadow: object.casts_shadow,
-        });
-    }
-    Some((changed, origins))
-}
-
-fn subdivide(mesh: &Mesh) -> Retold {
-    let (mut parts, mut origins) = (Vec::new(), Vec::new());
-    for object in &mesh.objects {
-        let quarters: Vec<_> = object
-            .triangle_range()
-            .flat_map(|triangle| quarters(mesh.corners(triangle)))
-            .collect();
-        parts.push(part_like(object, &quarters));
-        origins.extend(object.triangles.clone().flat_map(|t| [t; 4]));
-    }
-    (parts.into_iter().collect(), origins)
-}
-
-fn quarters([a, b, c]: [Vec3; 3]) -> [[Vec3; 3]; 4] {
-    // The sum is the same from both sides of an edge: no gap opens there.
-    let middle = |p: Vec3, q: Vec3| (p + q) / 2.0;
-    let (ab, bc, ca) = (middle(a, b), middle(b, c), middle(c, a));
-    [[a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]]
-}
-
-/// Larger, not smaller: positions stay on the grid of [canonical](crate::scene::mesh::canonical) ones.
-fn scale(scene: &Scene, random: &mut impl Rng) -> Option<Changed> {
-    /// Far from what overflows when three lengths are multiplied.
-    const LARGEST: f32 = 1e9;
-    let factor = 2f32.powi(random.random_range(1..=10));
-    let Scene {
-        mesh,
-        camera,
-        light,
-        ..
-    } = scene;
-    let key = |key: &CameraKey| CameraKey {
-        time_s: key.time_s,
-        eye: key.eye * factor,
-        target: key.target * factor,
-    };
-    let camera = CameraPath {
-        keys: camera.keys.iter().map(key).collect(),
-        near: camera.near * factor,
-        ..camera.clone()
-    };
-    // A direction stays as it is.
-    let light = (light.truncate() * if light.w == 0.0 { 1.0 } else { factor }).extend(light.w);
-    let positions: Vec<_> = mesh.positions.iter().map(|p| *p * factor).collect();
-    let points = positions
-        .iter()
-        .chain(camera.keys.iter().map(|key| &key.eye));
-    let largest = points.fold(light.truncate().abs().max_element(), |largest, p| {
-        largest.max(p.abs().max_element())
-    });
-    let origins = identity(mesh.triangles.len());
-    let mesh = Mesh {
-        positions,
-        ..mesh.clone()
-    };
-    let (name, title) = (scene.name.clone(), scene.title.clone());
-    (largest < LARGEST).then(|| Changed {
-        scene: Scene::new(name, title, mesh, light, camera),
-        origins,
-    })
 }
 
 #[cfg(test)]

@@ -15,6 +15,7 @@ mod damage;
 mod fixtures;
 pub mod metamorphic;
 pub mod random;
+mod retold;
 mod trial;
 
 pub use change::{Change, Changed, Keeps};
