@@ -108,7 +108,7 @@ impl Change {
     pub fn keeps(self) -> Keeps {
         match self {
             // Copies of a side quad that cancel within one object's edge are drawn from two edges instead. A
-            // tessellator begins the two at different vertices, and their last bits of depth may differ.
+            // tessellator may begin the two at different vertices: their last bits of depth then differ.
             Self::SplitObjects | Self::MergeObjects => Keeps::AllButBoundary,
             // The middles of edges are rounded, which moves the surface.
             Self::Subdivide => Keeps::AllButBoundary,
