@@ -37,6 +37,17 @@ pub struct Truth {
     edges: EdgeDistances,
 }
 
+/// What is true of one pixel.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct PixelTruth {
+    /// The triangle that it shows.
+    pub triangle: Option<u32>,
+    /// Whether that is in shadow there.
+    pub verdict: Verdict,
+    /// Whether the true shadow boundary passes within a pixel of its centre.
+    pub at_boundary: bool,
+}
+
 /// How a method did at one view.
 pub struct Judgement {
     /// Counts of wrong pixels.
@@ -186,6 +197,21 @@ impl<'a> Verifier<'a> {
             analysis: analyse(&comparison, &context)?,
             error_map: comparison.error_map(),
         })
+    }
+
+    /// What is true of some pixels, which are counted by rows from the top.
+    ///
+    /// # Errors
+    /// When the view is no perspective.
+    pub fn look(&self, truth: &Truth, pixels: &[usize]) -> anyhow::Result<Vec<PixelTruth>> {
+        let (reference, mask) = (&self.reference, &truth.mask);
+        let probe = BoundaryProbe::new(reference, self.light, &truth.view, mask, pixels.len())?;
+        let look = |&pixel: &usize| PixelTruth {
+            triangle: truth.triangle_ids[pixel].checked_sub(1),
+            verdict: mask.verdicts[pixel],
+            at_boundary: probe.near_boundary(pixel as u32 % mask.width, pixel as u32 / mask.width),
+        };
+        Ok(pixels.iter().map(look).collect())
     }
 
     /// Where the surface points seen at one view appear at another.

@@ -3,6 +3,7 @@
 mod accuracy;
 mod fuzz;
 mod list;
+mod metamorphic;
 mod minimise;
 mod progress;
 mod render;
@@ -47,6 +48,8 @@ enum Command {
     Stress(stress::StressArgs),
     /// Try methods on random scenes.
     Fuzz(fuzz::FuzzArgs),
+    /// Change scenes in ways that do not change their shadow, and look whether a mask changes.
+    Metamorphic(metamorphic::MetamorphicArgs),
     /// List methods, scenes and devices.
     List(list::ListArgs),
     /// Write the report of a run directory again, or one of several runs together.
@@ -110,6 +113,7 @@ impl Cli {
             Command::Minimise(args) => minimise::execute(&args),
             Command::Stress(args) => stress::execute(&args),
             Command::Fuzz(args) => fuzz::execute(&args),
+            Command::Metamorphic(args) => metamorphic::execute(&args),
             Command::List(args) => list::execute(&args),
             Command::Report(args) => report::execute(&args),
         }

@@ -2,21 +2,30 @@
 //!
 //! A [`Studio`] draws one picture of a scene with several methods and holds the masks against the truth; a
 //! [`Finding`] says whether what came out is a failure, and one that the method declares. All the rest makes
-//! scenes for it: the [`corpus`] of causes for [`sweep`](sweep()), [`random`] ones for [`fuzz`](fuzz()), and
-//! ever smaller ones, until only what fails is left, for [`minimise`](fn@minimise::minimise).
+//! scenes for it: the [`corpus`] of causes for [`sweep`](sweep()), [`random`] ones for [`fuzz`](fuzz()),
+//! scenes told otherwise for [`metamorphic`], and ever smaller ones, until only what fails is left, for
+//! [`minimise`](fn@minimise::minimise).
 
 mod cause;
+mod change;
+mod damage;
 mod families;
 mod finding;
+#[cfg(test)]
+mod fixtures;
 mod fuzz;
+pub mod metamorphic;
 pub mod minimise;
 pub mod random;
 pub mod record;
+mod retold;
 mod simpler;
 mod sweep;
 mod trial;
 
 pub use cause::{Cause, CauseError, corpus, find_cause};
+pub use change::{Change, Changed, Keeps};
+pub use damage::damage;
 pub use finding::Finding;
 pub use fuzz::{Failure, FuzzPlan, Tally, fuzz};
 pub use sweep::{StressRequest, sweep};

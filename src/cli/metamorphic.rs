@@ -1,0 +1,225 @@
+//! `svbench metamorphic [SCENE ...]`
+
+use super::{DeviceArgs, check_size, values};
+use crate::config::{ConfigError, find_scene};
+use crate::gpu::Requirement;
+use crate::methods::{REGISTRY, ShadowMethod, parameters};
+use crate::scene::{Scene, SceneError};
+use crate::stress::metamorphic::{self, Difference};
+use crate::stress::{Change, Studio, damage, random};
+use anyhow::Context;
+use rand::SeedableRng;
+use rand_chacha::ChaCha8Rng;
+use std::collections::BTreeSet;
+use std::path::Path;
+
+/// Scenes that are checked if none are named.
+const SCENES: [&str; 2] = ["sphere_grid", "sponza"];
+/// Share of the triangles of a damaged scene that are missing, turned or doubled.
+const DAMAGED_SHARE: f64 = 0.02;
+
+/// Arguments of `svbench metamorphic`.
+#[derive(Debug, clap::Args)]
+pub(super) struct MetamorphicArgs {
+    /// Scenes, each checked as it is and damaged (default: sphere_grid, and sponza if its model is found)
+    #[arg(value_name = "SCENE")]
+    scenes: Vec<String>,
+    /// A method, with parameters if any; may be given several times (default: all volume methods)
+    #[arg(long = "method", value_name = "ID[,key=value...]")]
+    methods: Vec<String>,
+    /// Check so many random scenes too
+    #[arg(long, value_name = "N", default_value_t = 100)]
+    soups: u64,
+    /// Number of the first random scene, and seed of everything that is random in the changes
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    seed: u64,
+    /// Size of the pictures
+    #[arg(long, value_name = "WxH", value_parser = values::size, default_value = "320x240")]
+    size: (u32, u32),
+    #[command(flatten)]
+    device: DeviceArgs,
+}
+
+/// Sums over the methods and scenes of one row of the table, for each change: `None` where it applied to
+/// no scene.
+struct Row {
+    name: String,
+    /// Wrong pixels, and pixels that differ in any way.
+    sums: [Option<(u64, u64)>; Change::ALL.len()],
+}
+
+/// What is the same for all scenes, and what came of them.
+struct Checks<'a> {
+    studio: Studio<'a>,
+    methods: Vec<Box<dyn ShadowMethod>>,
+    unavailable: BTreeSet<String>,
+    /// Masks that changed and may not.
+    wrong: usize,
+}
+
+#[allow(clippy::print_stdout, reason = "the table is this command's result")]
+pub(super) fn execute(args: &MetamorphicArgs) -> anyhow::Result<()> {
+    let methods = methods(args)?;
+    let scenes = scenes(args)?;
+    let gpu = args.device.open()?;
+    check_size(&gpu, args.size, "--size")?;
+    let mut checks = Checks {
+        studio: Studio::new(&gpu, args.size),
+        methods,
+        unavailable: BTreeSet::new(),
+        wrong: 0,
+    };
+    let mut rows = Vec::new();
+    for scene in &scenes {
+        let mut random = ChaCha8Rng::seed_from_u64(args.seed);
+        for scene in [scene, &damage(scene, DAMAGED_SHARE, &mut random)] {
+            let mut row = Row::new(scene.name.clone());
+            checks.check(&mut row, scene, args.seed)?;
+            rows.push(row);
+        }
+    }
+    if args.soups > 0 {
+        let mut row = Row::new(format!("{} random scenes", args.soups));
+        for seed in (args.seed..).take(args.soups as usize) {
+            checks.check(&mut row, &random::case(seed), seed)?;
+        }
+        rows.push(row);
+    }
+    for method in &checks.unavailable {
+        println!("not available: {method}");
+    }
+    print!("{}", table(&rows));
+    args.device.check_validation()?;
+    match checks.wrong {
+        0 => Ok(()),
+        wrong => anyhow::bail!("{wrong} masks changed that may not"),
+    }
+}
+
+impl Checks<'_> {
+    #[allow(clippy::print_stdout, reason = "failures are told as they come")]
+    fn check(&mut self, row: &mut Row, scene: &Scene, seed: u64) -> anyhow::Result<()> {
+        let mut random = ChaCha8Rng::seed_from_u64(seed);
+        let differences = metamorphic::check(&self.studio, scene, &self.methods, &mut random)
+            .with_context(|| format!("scene `{}`", scene.name))?;
+        for difference in &differences {
+            if let Err(reason) = &difference.pixels {
+                let method = &difference.method;
+                self.unavailable.insert(format!("{method}: {reason}"));
+            }
+            if difference.wrong_px() > 0 {
+                self.wrong += 1;
+                println!("{}", line(scene, difference));
+            }
+            row.add(difference);
+        }
+        Ok(())
+    }
+}
+
+fn methods(args: &MetamorphicArgs) -> anyhow::Result<Vec<Box<dyn ShadowMethod>>> {
+    let is_volume_method = |needs: &[Requirement]| needs.contains(&Requirement::StencilBuffer);
+    let default = REGISTRY
+        .iter()
+        .filter(|registration| is_volume_method(registration.info.needs))
+        .map(|registration| registration.info.id);
+    let named = args.methods.iter().map(String::as_str);
+    let ids: Vec<_> = if args.methods.is_empty() {
+        default.collect()
+    } else {
+        named.collect()
+    };
+    let parse = |id| Ok(parameters::parse_method(id)?);
+    ids.into_iter().map(parse).collect()
+}
+
+/// The scenes named; of the default ones, those whose models are there.
+#[allow(
+    clippy::print_stdout,
+    reason = "what was not checked belongs to the result"
+)]
+fn scenes(args: &MetamorphicArgs) -> anyhow::Result<Vec<Scene>> {
+    let load = |name: &str| {
+        let plan = find_scene(name, Path::new(""))?;
+        Ok::<_, ConfigError>(plan.file.load(&plan.search))
+    };
+    if !args.scenes.is_empty() {
+        return args.scenes.iter().map(|name| Ok(load(name)??)).collect();
+    }
+    let mut scenes = Vec::new();
+    for name in SCENES {
+        match load(name)? {
+            Err(error @ SceneError::MissingModel { .. }) => {
+                println!("{name} is left out: {error}");
+            }
+            scene => scenes.push(scene?),
+        }
+    }
+    Ok(scenes)
+}
+
+fn line(scene: &Scene, difference: &Difference) -> String {
+    let Difference {
+        change,
+        method,
+        pixels,
+    } = difference;
+    let pixels = pixels.clone().unwrap_or_default();
+    let example = pixels
+        .example
+        .map_or(String::new(), |(x, y)| format!(", first at {x}, {y}"));
+    format!(
+        "{}, {}, {method}: {} pixels differ, {} of them decided, {} beyond the boundary{example}",
+        scene.name,
+        change.id(),
+        pixels.differing_px,
+        pixels.decided_px,
+        pixels.beyond_boundary_px,
+    )
+}
+
+impl Row {
+    fn new(name: String) -> Self {
+        Self {
+            name,
+            sums: [None; Change::ALL.len()],
+        }
+    }
+
+    fn add(&mut self, difference: &Difference) {
+        let Ok(pixels) = &difference.pixels else {
+            return;
+        };
+        let sums = Change::ALL.iter().zip(&mut self.sums);
+        for (_, sum) in sums.filter(|(change, _)| **change == difference.change) {
+            let (wrong_px, differing_px) = sum.unwrap_or_default();
+            *sum = Some((
+                wrong_px + difference.wrong_px(),
+                differing_px + pixels.differing_px,
+            ));
+        }
+    }
+}
+
+/// Changes down, scenes across: pixels that may not differ, and in brackets all that do.
+fn table(rows: &[Row]) -> String {
+    const FIRST: usize = 20;
+    let width = |row: &Row| row.name.chars().count().max(10) + 2;
+    let mut text = format!("{:FIRST$}", "");
+    for row in rows {
+        text.push_str(&format!("{:>1$}", row.name, width(row)));
+    }
+    for (i, change) in Change::ALL.iter().enumerate() {
+        text.push_str(&format!("\n{:FIRST$}", change.id()));
+        for row in rows {
+            let cell = match row.sums[i] {
+                None => "-".to_owned(),
+                Some((0, 0)) => "0".to_owned(),
+                Some((wrong_px, differing_px)) => format!("{wrong_px} ({differing_px})"),
+            };
+            text.push_str(&format!("{cell:>0$}", width(row)));
+        }
+    }
+    text.push('\n');
+    text
+}
