@@ -95,8 +95,20 @@ mod tests {
 
     #[test]
     fn numbers_of_any_size_are_short() {
-        let text = [0.0, 257.0, 0.35, 1e-6, 0.1 + 0.2, 1e7, 16_777_217.0, -2.5e-7].map(short);
-        let expected = ["0", "257", "0.35", "1e-6", "0.3", "1e7", "16777217", "-2.5e-7"];
+        let text = [
+            0.0,
+            257.0,
+            0.35,
+            1e-6,
+            0.1 + 0.2,
+            1e7,
+            16_777_217.0,
+            -2.5e-7,
+        ]
+        .map(short);
+        let expected = [
+            "0", "257", "0.35", "1e-6", "0.3", "1e7", "16777217", "-2.5e-7",
+        ];
         assert_eq!(text, expected);
     }
 

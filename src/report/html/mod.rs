@@ -30,7 +30,10 @@ mod stability;
 pub(super) use merged::page as merged_page;
 pub(super) use stability::page as stability_page;
 
-const STYLE: &str = concat!(include_str!("../report.css"), include_str!("../stability.css"));
+const STYLE: &str = concat!(
+    include_str!("../report.css"),
+    include_str!("../stability.css")
+);
 
 /// The page of a run. Pictures are read from the run directory; one that is missing is left out.
 pub fn page(

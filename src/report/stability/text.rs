@@ -111,7 +111,10 @@ fn legend(rows: &[Vec<String>]) -> String {
 }
 
 fn label_width(matrix: &Matrix<'_>) -> usize {
-    let ids = matrix.lines.iter().map(|line| line.cause.id.chars().count());
+    let ids = matrix
+        .lines
+        .iter()
+        .map(|line| line.cause.id.chars().count());
     ids.max().unwrap_or_default().max("cause".len())
 }
 
