@@ -1,7 +1,7 @@
 //! A section for each cause: what it is, how many pixels are wrong at each value, and pictures.
 
+use super::cause_id;
 use super::failures::{Album, figure};
-use super::{cause_id, some};
 use crate::report::LegendEntry;
 use crate::report::format::{count, short};
 use crate::report::html::gallery::legend_list;
@@ -25,7 +25,7 @@ pub(super) fn section(
         section #causes {
             h2 { "Causes" }
             p.note {
-                "Tables have the artifact pixels of every picture; the first failing value is framed, "
+                "Tables have the artifact pixels at every value; the first failing one is framed, "
                 "! is a failure that no limit declares, and grey numbers are tolerated. Each first failure is "
                 "shown below: the ray-traced truth, the method's shadow mask, and the errors. Click a picture, "
                 "or move the focus to it, to see it large."
@@ -55,39 +55,60 @@ fn cause(
         }
     }
     let is_tried = line.cells.iter().any(|cell| *cell != Cell::Untried);
-    let table = table(run, matrix, line);
     Ok(html! {
         article.cause id=(cause_id(line)) {
             h3 { (line.cause.title) " " code.quiet { (line.cause.id) } }
             p.why { (line.cause.why) }
-            @if !is_tried {
-                p.quiet { "Not tried: the run was interrupted before." }
-            } @else if figures.is_empty() {
-                details {
-                    summary { "No method fails; " (some(line.cause.values.len(), "value")) }
-                    (table)
-                }
-            } @else {
-                (table)
-                @for figure in figures { (figure) }
-            }
+            @if is_tried { (table(run, matrix, line)) }
+            @else { p.quiet { "Not tried: the run was interrupted before." } }
+            @for figure in figures { (figure) }
         }
     })
 }
 
-/// Methods in rows and values in columns: what turns up reads from left to right.
+/// Methods in rows and values in columns: what turns up reads from left to right. Methods with nothing
+/// to show are a sentence below.
 fn table(run: &StressRun, matrix: &Matrix<'_>, line: &Line<'_>) -> Markup {
     let label = format!("Artifact pixels: {}", line.cause.title);
-    let rows = matrix.methods.iter().zip(&line.cells);
+    let (mut clean, mut unavailable, mut rows) = (Vec::new(), Vec::new(), Vec::new());
+    for (method, cell) in matrix.methods.iter().zip(&line.cells) {
+        let is_clean = || {
+            let rows = run.rows_of(line.cause, method);
+            rows.iter().all(|row| row.artifact_px == 0)
+        };
+        match cell {
+            Cell::Unavailable { .. } => unavailable.push(method.name()),
+            Cell::Right { unavailable: 0, .. } if is_clean() => clean.push(method.name()),
+            _ => rows.push((method, cell)),
+        }
+    }
     html! {
-        div.scroll tabindex="0" role="region" aria-label=(label) {
-            table.values {
-                thead { tr {
-                    th.stay scope="col" { "Artifact px by " (line.cause.number) }
-                    @for value in &line.cause.values { th scope="col" { (short(*value)) } }
-                } }
-                tbody {
-                    @for (method, cell) in rows { (row(run, line, method, cell)) }
+        @if !rows.is_empty() {
+            div.scroll tabindex="0" role="region" aria-label=(label) {
+                table.values {
+                    thead { tr {
+                        th.stay scope="col" { "Artifact px by " (line.cause.number) }
+                        @for value in &line.cause.values { th scope="col" { (short(*value)) } }
+                    } }
+                    tbody {
+                        @for (method, cell) in rows { (row(run, line, method, cell)) }
+                    }
+                }
+            }
+        }
+        (others("No artifact pixel at any value", &clean))
+        (others("Unavailable", &unavailable))
+    }
+}
+
+fn others(what: &str, names: &[String]) -> Markup {
+    html! {
+        @if !names.is_empty() {
+            p.others {
+                (what) ": "
+                @for (index, name) in names.iter().enumerate() {
+                    @if index > 0 { " · " }
+                    code { (name) }
                 }
             }
         }

@@ -192,12 +192,12 @@ fn failure_id(line: &Line<'_>, method: usize) -> String {
     format!("cause-{}-{}", line.cause.id, method + 1)
 }
 
-/// Text that may break where a name has an underscore, so that columns stay narrow.
+/// Text that may break after an underscore and an equals sign, so that columns stay narrow.
 fn breakable(name: &str) -> Markup {
     html! {
-        @for (index, part) in name.split('_').enumerate() {
-            @if index > 0 { "_" (PreEscaped("<wbr>")) }
+        @for part in name.split_inclusive(['_', '=']) {
             (part)
+            @if part.ends_with(['_', '=']) { (PreEscaped("<wbr>")) }
         }
     }
 }
