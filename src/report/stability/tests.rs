@@ -207,22 +207,3 @@ fn the_page_says_how_to_see_a_failure_again() {
     assert!(page.contains("2 undeclared failures"));
     assert!(page.contains("false lit, artifact"));
 }
-#[test]
-fn tmp_page() {
-    if let Ok(dir) = std::env::var("STRESS_DIR") {
-        let legend = [
-            ("false lit, artifact", [255, 40, 30]),
-            ("false lit, at the boundary", [165, 70, 65]),
-            ("false shadowed, artifact", [30, 140, 255]),
-            ("ambiguous", [235, 205, 40]),
-        ]
-        .map(|(label, rgb)| LegendEntry { label, rgb });
-        write_stability(std::path::Path::new(&dir), &legend).unwrap();
-        println!(
-            "{}",
-            StressRun::read(std::path::Path::new(&dir))
-                .unwrap()
-                .matrix_text()
-        );
-    }
-}
