@@ -272,3 +272,34 @@ fn names_cannot_break_out_of_the_merged_page() {
     let table = room.read("out/paper/table1.md");
     assert!(!table.replace("\\<", "").contains("<script"), "{table}");
 }
+
+#[test]
+fn a_stress_run_is_reported_alone() {
+    let room = Room::new();
+    room.run("run", |_| {});
+    fs::create_dir(room.path("stress")).unwrap();
+    let head = r#"{"format": 1, "complete": true, "title": "", "program_version": "1", "program_git": "",
+        "started": "", "duration_s": 1, "command": [], "seed": 7, "width": 8, "height": 6,
+        "device": {"name": "", "vendor_id": 0, "device_type": "", "driver": "", "driver_info": "",
+            "backend": "", "tessellation": true, "geometry": true},
+        "host": {"os": "", "arch": "", "cores": 1}, "shader_hash": "", "config_path": "", "config_text": "",
+        "causes": [{"id": "fan", "title": "Pages", "number": "pages", "why": "", "values": [3]}],
+        "methods": [{"id": "shadow_map", "variant": "", "tolerated_share": 0}]}"#;
+    fs::write(room.path("stress/stability.json"), head).unwrap();
+    let rows = "cause,value,method,variant,outcome,artifact_px,boundary_px,false_lit,false_shadowed,\
+        ambiguous_px,kinds,reason,picture\nfan,3,shadow_map,,undeclared,5,0,5,0,0,,,\n";
+    fs::write(room.path("stress/stability.csv"), rows).unwrap();
+    assert_eq!(room.succeed(&["stress"]).trim(), "stress/report.html");
+    assert!(room.read("stress/matrix.md").contains("**3!** (5 px)"));
+
+    for args in [
+        &["run", "stress", "--out", "both"][..],
+        &["run", "stress"],
+        &["stress", "--out", "both"],
+    ] {
+        let message = room.fail(args, 2);
+        assert!(message.contains("stress holds a stress run"), "{message}");
+    }
+    fs::copy(room.path("run/run.json"), room.path("stress/run.json")).unwrap();
+    assert!(room.fail(&["stress"], 2).contains("has both"));
+}

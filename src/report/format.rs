@@ -60,6 +60,27 @@ pub fn px_per_frame(sum_px: u64, frames: u32) -> String {
     }
 }
 
+/// A number of any size in few characters: `257`, `0.35`, `1e-6`. Six digits tell values apart; a whole
+/// number keeps all of its digits.
+pub fn short(value: f64) -> String {
+    if value == 0.0 {
+        return "0".to_owned();
+    }
+    let rounded = if value.fract() == 0.0 {
+        value
+    } else {
+        format!("{value:.5e}").parse().unwrap_or(value)
+    };
+    let plain = format!("{rounded}");
+    let scientific = format!("{rounded:e}");
+    let is_usual = (0.001..100_000.0).contains(&rounded.abs());
+    if is_usual || plain.len() <= scientific.len() {
+        plain
+    } else {
+        scientific
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -70,6 +91,25 @@ mod tests {
         assert_eq!(count(999), "999");
         assert_eq!(count(32_400), "32,400");
         assert_eq!(count(1_960_000), "1,960,000");
+    }
+
+    #[test]
+    fn numbers_of_any_size_are_short() {
+        let text = [
+            0.0,
+            257.0,
+            0.35,
+            1e-6,
+            0.1 + 0.2,
+            1e7,
+            16_777_217.0,
+            -2.5e-7,
+        ]
+        .map(short);
+        let expected = [
+            "0", "257", "0.35", "1e-6", "0.3", "1e7", "16777217", "-2.5e-7",
+        ];
+        assert_eq!(text, expected);
     }
 
     #[test]

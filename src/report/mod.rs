@@ -6,7 +6,7 @@
 //!
 //! One output a file: [`table`], [`pareto`], [`plots`], [`paper`], [`html`]. An output reads a [`Run`] and knows
 //! nothing of the others, save that the page embeds the table's figures, the paper and the plots.
-//! [`merged`] puts several runs beside the paper.
+//! [`merged`] puts several runs beside the paper; [`stability`] is about runs of another kind.
 
 use std::path::{Path, PathBuf};
 use std::slice;
@@ -25,6 +25,7 @@ pub mod merged;
 pub mod paper;
 pub mod pareto;
 pub mod plots;
+pub mod stability;
 pub mod table;
 
 mod markdown;
@@ -33,6 +34,7 @@ mod write;
 
 pub use load::Run;
 pub use merged::write_merged;
+pub use stability::write_stability;
 
 /// Name of the Markdown table in a run directory.
 pub const TABLE_FILE: &str = "table.md";

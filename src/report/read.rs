@@ -9,15 +9,40 @@ use serde::de::DeserializeOwned;
 
 use crate::bench::record::{FORMAT, RUN_FILE, RunInfo};
 
+/// The file by which a directory is known for what it is.
+pub(super) struct Head {
+    /// Its name.
+    pub file: &'static str,
+    /// Newest layout that this version reads.
+    pub format: u32,
+    /// What a directory without it is not.
+    pub what: &'static str,
+    /// Which directory to name instead.
+    pub instead: &'static str,
+}
+
 /// Reads `run.json`.
 pub(super) fn read_info(dir: &Path) -> Result<RunInfo> {
-    let path = dir.join(RUN_FILE);
+    let head = Head {
+        file: RUN_FILE,
+        format: FORMAT,
+        what: "a run directory",
+        instead: "name a directory that `svbench run` has written",
+    };
+    read_head(dir, &head)
+}
+
+/// Reads the file that says what a directory holds.
+pub(super) fn read_head<T: DeserializeOwned>(dir: &Path, head: &Head) -> Result<T> {
+    let path = dir.join(head.file);
     let text = match fs::read_to_string(&path) {
         Ok(text) => text,
         Err(error) if error.kind() == ErrorKind::NotFound => bail!(
-            "{} is not a run directory: it has no {RUN_FILE}; name a directory that `svbench run` \
-             has written",
-            dir.display()
+            "{} is not {}: it has no {}; {}",
+            dir.display(),
+            head.what,
+            head.file,
+            head.instead
         ),
         Err(error) => {
             return Err(error).with_context(|| format!("cannot read {}", path.display()));
@@ -30,11 +55,12 @@ pub(super) fn read_info(dir: &Path) -> Result<RunInfo> {
         .get("format")
         .and_then(serde_json::Value::as_u64)
         .unwrap_or_default();
-    if format > u64::from(FORMAT) {
+    if format > u64::from(head.format) {
         bail!(
-            "{} has format {format}, and this version of svbench reads up to {FORMAT}: use the \
+            "{} has format {format}, and this version of svbench reads up to {}: use the \
              version that wrote it, or a newer one",
-            path.display()
+            path.display(),
+            head.format
         );
     }
     serde_json::from_value(value).with_context(|| format!("{} is damaged", path.display()))
@@ -59,11 +85,23 @@ pub(super) fn read_rows<T: DeserializeOwned>(
     cut_off: bool,
     warnings: &mut Vec<String>,
 ) -> Result<Vec<T>> {
+    let lines = read_lines(path, RUN_FILE, cut_off, warnings)?;
+    Ok(lines.into_iter().map(|(_, row)| row).collect())
+}
+
+/// As [`read_rows`], each row with the line where it begins; `head` is the file that says whether the
+/// run is complete.
+pub(super) fn read_lines<T: DeserializeOwned>(
+    path: &Path,
+    head: &str,
+    cut_off: bool,
+    warnings: &mut Vec<String>,
+) -> Result<Vec<(u64, T)>> {
     let mut text = match fs::read_to_string(path) {
         Ok(text) => text,
         Err(error) if error.kind() == ErrorKind::NotFound && cut_off => return Ok(Vec::new()),
         Err(error) if error.kind() == ErrorKind::NotFound => bail!(
-            "{} is missing although {RUN_FILE} says that the run is complete: restore the file or \
+            "{} is missing although {head} says that the run is complete: restore the file or \
              repeat the run",
             path.display()
         ),
@@ -76,14 +114,22 @@ pub(super) fn read_rows<T: DeserializeOwned>(
         let name = path.file_name().unwrap_or_default().to_string_lossy();
         warnings.push(format!("the last row of {name} is torn and was left out"));
     }
+    parse(&text).map_err(|error| {
+        let line = error.position().map_or(1, csv::Position::line);
+        anyhow::anyhow!("{}, line {line}: {}", path.display(), what_is_wrong(&error))
+    })
+}
+
+fn parse<T: DeserializeOwned>(text: &str) -> Result<Vec<(u64, T)>, csv::Error> {
     let mut reader = csv::Reader::from_reader(text.as_bytes());
-    reader
-        .deserialize()
-        .collect::<Result<_, csv::Error>>()
-        .map_err(|error| {
-            let line = error.position().map_or(1, csv::Position::line);
-            anyhow::anyhow!("{}, line {line}: {}", path.display(), what_is_wrong(&error))
-        })
+    let headers = reader.headers()?.clone();
+    let mut rows = Vec::new();
+    for record in reader.records() {
+        let record = record?;
+        let line = record.position().map_or(1, csv::Position::line);
+        rows.push((line, record.deserialize(Some(&headers))?));
+    }
+    Ok(rows)
 }
 
 /// The core of a CSV error, without the position that the caller has already named.

@@ -184,7 +184,7 @@ fn strip(width: usize, truth: &[u8], drawn: &Drawn) -> Vec<u8> {
 }
 
 /// Letters, digits and what else is safe in the name of a file and in an address.
-fn file_name(text: &str) -> String {
+pub(crate) fn file_name(text: &str) -> String {
     let safe = |c: char| {
         let is_safe = c.is_ascii_alphanumeric() || "-_.".contains(c);
         if is_safe { c } else { '-' }

@@ -204,7 +204,8 @@ fn strip(run: &Run, scene_title: &str, row: &Summary, held: &Held) -> Result<Str
     })
 }
 
-fn legend_list(legend: &[LegendEntry]) -> Markup {
+/// What the colours of error maps mean.
+pub(super) fn legend_list(legend: &[LegendEntry]) -> Markup {
     html! {
         div.legend {
             p { "Colours of the error maps" }

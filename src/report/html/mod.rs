@@ -12,6 +12,7 @@ use super::load::Run;
 use super::paper::Paper;
 use super::pareto::Cloud;
 use super::plots::Plot;
+use crate::bench::record::DeviceRecord;
 
 mod banners;
 mod bias;
@@ -24,10 +25,15 @@ mod pareto;
 mod pictures;
 mod provenance;
 mod results;
+mod stability;
 
 pub(super) use merged::page as merged_page;
+pub(super) use stability::page as stability_page;
 
-const STYLE: &str = include_str!("../report.css");
+const STYLE: &str = concat!(
+    include_str!("../report.css"),
+    include_str!("../stability.css")
+);
 
 /// The page of a run. Pictures are read from the run directory; one that is missing is left out.
 pub fn page(
@@ -115,16 +121,12 @@ fn shell(title: &str, facts: &Markup, links: &[(&str, &str)], main: &Markup) -> 
 /// What every number on the page depends on.
 fn facts(run: &Run) -> Markup {
     let info = &run.info;
-    let driver = format!("{} {}", info.device.driver, info.device.driver_info);
-    let program = format!("{} {}", info.program_version, info.program_git);
-    let facts = [
-        ("Device", info.device.name.clone()),
-        (
-            "Driver",
-            format!("{} · {}", driver.trim(), info.device.backend),
-        ),
+    let [device, driver] = device_facts(&info.device);
+    facts_list(&[
+        device,
+        driver,
         ("Measured", date(&info.started)),
-        ("Program", format!("svbench {}", program.trim())),
+        ("Program", program(&info.program_version, &info.program_git)),
         ("Picture", format!("{} × {} px", info.width, info.height)),
         (
             "Frames per cell",
@@ -135,14 +137,32 @@ fn facts(run: &Run) -> Markup {
                 count(info.warmup_frames.into())
             ),
         ),
-    ];
+    ])
+}
+
+/// A name, and what stands under it.
+type Fact = (&'static str, String);
+
+fn facts_list(facts: &[Fact]) -> Markup {
     html! {
         dl.facts {
-            @for (name, value) in &facts {
+            @for (name, value) in facts {
                 div { dt { (name) } dd { (value) } }
             }
         }
     }
+}
+
+fn device_facts(device: &DeviceRecord) -> [Fact; 2] {
+    let driver = format!("{} {}", device.driver, device.driver_info);
+    [
+        ("Device", device.name.clone()),
+        ("Driver", format!("{} · {}", driver.trim(), device.backend)),
+    ]
+}
+
+fn program(version: &str, git: &str) -> String {
+    format!("svbench {version} {git}").trim_end().to_owned()
 }
 
 /// An RFC 3339 time as people read it; as it is, where it is none.

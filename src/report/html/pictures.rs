@@ -2,6 +2,7 @@
 
 use std::fs;
 use std::io::ErrorKind;
+use std::path::Path;
 
 use anyhow::{Context as _, Result};
 use base64::Engine as _;
@@ -36,12 +37,9 @@ pub(super) fn picture(
 ) -> Result<Option<Picture>> {
     let path = run.dir.join(IMAGES_DIR).join(name);
     let source = if hold {
-        match fs::read(&path) {
-            Ok(png) => Source::Held(format!("data:image/png;base64,{}", BASE64.encode(png))),
-            Err(error) if error.kind() == ErrorKind::NotFound => return Ok(None),
-            Err(error) => {
-                return Err(error).with_context(|| format!("cannot read {}", path.display()));
-            }
+        match data_uri(&path)? {
+            Some(data_uri) => Source::Held(data_uri),
+            None => return Ok(None),
         }
     } else if path.is_file() {
         Source::Linked(format!("{IMAGES_DIR}/{name}"))
@@ -53,6 +51,18 @@ pub(super) fn picture(
         alt,
         source,
     }))
+}
+
+/// A PNG file as an address that holds it; `None` where there is none.
+pub(super) fn data_uri(path: &Path) -> Result<Option<String>> {
+    match fs::read(path) {
+        Ok(png) => Ok(Some(format!(
+            "data:image/png;base64,{}",
+            BASE64.encode(png)
+        ))),
+        Err(error) if error.kind() == ErrorKind::NotFound => Ok(None),
+        Err(error) => Err(error).with_context(|| format!("cannot read {}", path.display())),
+    }
 }
 
 impl Picture {

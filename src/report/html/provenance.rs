@@ -2,38 +2,55 @@
 
 use maud::{Markup, html};
 
-use crate::bench::record::SceneRecord;
+use crate::bench::record::{DeviceRecord, HostRecord, SceneRecord};
 use crate::report::format::count;
 use crate::report::load::Run;
 
 /// The provenance section.
 pub(super) fn section(run: &Run) -> Markup {
+    let info = &run.info;
+    let origin = Origin {
+        command: &info.command,
+        started: &info.started,
+        program_version: &info.program_version,
+        program_git: &info.program_git,
+        device: &info.device,
+        host: &info.host,
+        seed: info.seed,
+        shader_hash: &info.shader_hash,
+        format: info.format,
+    };
     html! {
         section #provenance {
             h2 { "Provenance" }
-            @if !run.warnings.is_empty() {
-                h3 { "Warnings" }
-                ul.warnings { @for warning in &run.warnings { li { (warning) } } }
-            }
-            (settings(run))
+            (warnings(&run.warnings))
+            (settings(&origin))
             h3 { "Scenes" }
-            (scenes(&run.info.scenes))
+            (scenes(&info.scenes))
             h3 { "Methods" }
             (methods(run))
-            @if !run.info.config_text.is_empty() {
-                details {
-                    summary { "Configuration " code { (run.info.config_path) } }
-                    pre { code { (run.info.config_text) } }
-                }
-            }
+            (configuration(&info.config_path, &info.config_text))
         }
     }
 }
 
-fn settings(run: &Run) -> Markup {
-    let info = &run.info;
+/// Where the numbers of a run of any kind come from.
+pub(super) struct Origin<'a> {
+    pub command: &'a [String],
+    pub started: &'a str,
+    pub program_version: &'a str,
+    pub program_git: &'a str,
+    pub device: &'a DeviceRecord,
+    pub host: &'a HostRecord,
+    pub seed: u64,
+    pub shader_hash: &'a str,
+    pub format: u32,
+}
+
+/// Program, device, machine and all else that a run was started with.
+pub(super) fn settings(origin: &Origin<'_>) -> Markup {
     let has = |stage: bool| if stage { "yes" } else { "no" };
-    let device = &info.device;
+    let Origin { device, host, .. } = origin;
     let device_text = format!(
         "{}, {}, vendor 0x{:04x}; tessellation: {}, geometry stage: {}",
         device.name,
@@ -44,19 +61,41 @@ fn settings(run: &Run) -> Markup {
     );
     let host = format!(
         "{} {}, {} logical processors",
-        info.host.os, info.host.arch, info.host.cores
+        host.os, host.arch, host.cores
     );
     html! {
         dl.settings {
-            dt { "Command" } dd { code { (info.command.join(" ")) } }
-            dt { "Started" } dd { (info.started) }
-            dt { "Program" } dd { "svbench " (info.program_version) " " code { (info.program_git) } }
+            dt { "Command" } dd { code { (origin.command.join(" ")) } }
+            dt { "Started" } dd { (origin.started) }
+            dt { "Program" } dd { "svbench " (origin.program_version) " " code { (origin.program_git) } }
             dt { "Device" } dd { (device_text) }
             dt { "Driver" } dd { (device.driver) " " (device.driver_info) ", " (device.backend) }
             dt { "Host" } dd { (host) }
-            dt { "Seed" } dd { (info.seed) }
-            dt { "Shaders" } dd { code { (info.shader_hash) } }
-            dt { "Run format" } dd { (info.format) }
+            dt { "Seed" } dd { (origin.seed) }
+            dt { "Shaders" } dd { code { (origin.shader_hash) } }
+            dt { "Run format" } dd { (origin.format) }
+        }
+    }
+}
+
+/// What a reading of a run had to work around, and what the run itself warns of.
+pub(super) fn warnings(warnings: &[String]) -> Markup {
+    html! {
+        @if !warnings.is_empty() {
+            h3 { "Warnings" }
+            ul.warnings { @for warning in warnings { li { (warning) } } }
+        }
+    }
+}
+
+/// The configuration, word for word.
+pub(super) fn configuration(path: &str, text: &str) -> Markup {
+    html! {
+        @if !text.is_empty() {
+            details {
+                summary { "Configuration " code { (path) } }
+                pre { code { (text) } }
+            }
         }
     }
 }

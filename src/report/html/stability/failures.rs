@@ -1,0 +1,151 @@
+//! The first failure of a method by a cause: its picture, and how to see it again.
+
+use super::failure_id;
+use crate::bench::record::pairs_from_text;
+use crate::report::format::{count, short};
+use crate::report::html::pictures::data_uri;
+use crate::report::stability::{Failure, Line, Matrix, StressRun};
+use crate::stress::file_name;
+use crate::stress::record::{FAILURES_DIR, Outcome, StressRow};
+use anyhow::Result;
+use maud::{Markup, html};
+use std::collections::HashSet;
+
+/// As many bytes of pictures as a page may hold, so that browsers still open it at once.
+const MOST_BYTES: u64 = 22 << 20;
+/// Pixels of the page that a picture may be wide.
+const PAGE_WIDTH_PX: u32 = 1190;
+/// White pixels between the three parts of a picture.
+const GAP_PX: u32 = 4;
+
+/// The pictures that the page holds; others it links to.
+pub(super) struct Album<'a> {
+    names: HashSet<&'a str>,
+    all: bool,
+}
+
+impl<'a> Album<'a> {
+    /// Those of undeclared failures first, as many as [`MOST_BYTES`] allow.
+    pub(super) fn of(run: &StressRun, matrix: &Matrix<'a>) -> Self {
+        let cells = matrix.lines.iter().flat_map(|line| &line.cells);
+        let mut failures: Vec<&Failure<'a>> = cells.filter_map(|cell| cell.failure()).collect();
+        failures.sort_by_key(|failure| failure.undeclared.is_none());
+        let mut left_bytes = MOST_BYTES;
+        let mut names = HashSet::new();
+        for failure in &failures {
+            let name = failure.first.picture.as_str();
+            let path = run.dir.join(FAILURES_DIR).join(name);
+            // What cannot be read is reported where it is embedded.
+            let bytes = path.metadata().map_or(0, |data| data.len());
+            match left_bytes.checked_sub(bytes) {
+                Some(left) => left_bytes = left,
+                None => return Self { names, all: false },
+            }
+            names.insert(name);
+        }
+        Self { names, all: true }
+    }
+
+    /// Whether no picture is left out.
+    pub(super) fn holds_all(&self) -> bool {
+        self.all
+    }
+}
+
+/// The first failure of the method in column `index`.
+pub(super) fn figure(
+    run: &StressRun,
+    line: &Line<'_>,
+    index: usize,
+    failure: &Failure<'_>,
+    album: &Album<'_>,
+) -> Result<Markup> {
+    let row = failure.first;
+    let method = run.info.methods[index].name();
+    let is_declared = row.outcome == Outcome::Declared;
+    let picture = picture(run, line, row, &method, album)?;
+    Ok(html! {
+        figure.failure id=(failure_id(line, index)) {
+            (picture)
+            figcaption {
+                h4 { code { (method) } }
+                p {
+                    (line.cause.number) ": " strong { (short(row.value)) } " · "
+                    strong { (count(row.artifact_px)) } " artifact px"
+                }
+                @if is_declared {
+                    p { span.verdict.trend { "Declared: " } (row.reason) }
+                } @else {
+                    p { span.verdict.broken { "! Undeclared" } ": no limit of the method says so" }
+                }
+                p.quiet {
+                    (count(row.false_lit)) " px false lit, " (count(row.false_shadowed))
+                    " false shadowed, " (count(row.boundary_px)) " of all at the boundary"
+                }
+                @if !row.kinds.is_empty() { p.quiet { "Kinds: " (kinds(row)) } }
+                pre.command { code { (command(run, row)) } }
+            }
+        }
+    })
+}
+
+/// The kinds of error by pixels, most first.
+fn kinds(row: &StressRow) -> String {
+    let mut kinds: Vec<(&str, u64)> = pairs_from_text(&row.kinds);
+    kinds.retain(|(_, px)| *px > 0);
+    kinds.sort_by_key(|(_, px)| std::cmp::Reverse(*px));
+    let texts = kinds
+        .iter()
+        .map(|(name, px)| format!("{} {}", name.replace('_', " "), count(*px)));
+    texts.collect::<Vec<_>>().join(", ")
+}
+
+/// The command that draws the picture again, to be run in the directory of the run.
+fn command(run: &StressRun, row: &StressRow) -> String {
+    let stem = file_name(&format!("{}_{}", row.cause, row.value));
+    let parts = [row.method.as_str(), row.variant.as_str()];
+    let method = parts.join(",");
+    format!(
+        "svbench render {FAILURES_DIR}/{stem}.toml --method {} --size {}x{}",
+        method.trim_end_matches(','),
+        run.info.width,
+        run.info.height
+    )
+}
+
+fn picture(
+    run: &StressRun,
+    line: &Line<'_>,
+    row: &StressRow,
+    method: &str,
+    album: &Album<'_>,
+) -> Result<Markup> {
+    let name = row.picture.as_str();
+    let path = run.dir.join(FAILURES_DIR).join(name);
+    let missing = html! { p.missing { "The picture is missing." } };
+    if name.is_empty() {
+        return Ok(missing);
+    }
+    if !album.names.contains(name) {
+        let address = format!("{FAILURES_DIR}/{name}");
+        return Ok(html! { p.missing { a href=(address) { (name) } } });
+    }
+    let Some(source) = data_uri(&path)? else {
+        return Ok(missing);
+    };
+    let (width, height) = (3 * run.info.width + 2 * GAP_PX, run.info.height);
+    // By whole numbers, so that all pixels are of one size.
+    let scale = (PAGE_WIDTH_PX / width.max(1)).max(1);
+    let alt = format!(
+        "{}, {} at {}: truth, shadow mask and errors side by side",
+        line.cause.title,
+        method,
+        short(row.value)
+    );
+    Ok(html! {
+        div.triple style={ "width:" (width * scale) "px" } {
+            div.parts aria-hidden="true" { span { "Truth" } span { "Shadow mask" } span { "Errors" } }
+            img tabindex="0" loading="lazy" src=(source) alt=(alt) width=(width * scale) height=(height * scale);
+        }
+    })
+}

@@ -1,0 +1,167 @@
+//! Causes against methods: where each method begins to fail.
+
+use super::StressRun;
+use crate::stress::record::{CauseRecord, Outcome, StressMethod, StressRow};
+
+/// A row a cause, a column a method.
+#[derive(Debug, Clone)]
+pub struct Matrix<'a> {
+    /// The methods, one a column.
+    pub methods: &'a [StressMethod],
+    /// The causes, one a row.
+    pub lines: Vec<Line<'a>>,
+}
+
+/// The row of a cause.
+#[derive(Debug, Clone)]
+pub struct Line<'a> {
+    /// The cause.
+    pub cause: &'a CauseRecord,
+    /// One for each method.
+    pub cells: Vec<Cell<'a>>,
+}
+
+/// How a method bears a cause.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Cell<'a> {
+    /// The run was interrupted before.
+    Untried,
+    /// It can draw no scene of the cause.
+    Unavailable {
+        /// Why.
+        reason: &'a str,
+    },
+    /// It is right wherever it was tried.
+    Right {
+        /// Values at which it is unavailable.
+        unavailable: usize,
+        /// Whether the run was interrupted before the last value.
+        cut_off: bool,
+    },
+    /// It fails.
+    Fails(Failure<'a>),
+}
+
+/// Where a method fails.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Failure<'a> {
+    /// At the first failing value.
+    pub first: &'a StressRow,
+    /// Where it has the most artifact pixels.
+    pub worst: &'a StressRow,
+    /// The first failure that no limit declares.
+    pub undeclared: Option<&'a StressRow>,
+}
+
+/// How many pictures came out how.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Counts {
+    /// As right as the method promises.
+    pub right: usize,
+    /// Wrong by a limit that the method declares.
+    pub declared: usize,
+    /// Wrong, and nothing said that it would be.
+    pub undeclared: usize,
+    /// That the method cannot draw.
+    pub unavailable: usize,
+}
+
+impl Counts {
+    /// All pictures.
+    pub fn all(self) -> usize {
+        self.right + self.declared + self.undeclared + self.unavailable
+    }
+}
+
+impl Failure<'_> {
+    /// Whether no limit declares the very first failure.
+    pub fn begins_undeclared(&self) -> bool {
+        self.first.outcome == Outcome::Undeclared
+    }
+}
+
+impl<'a> Cell<'a> {
+    /// The failure, if it is one.
+    pub fn failure(&self) -> Option<&Failure<'a>> {
+        match self {
+            Self::Fails(failure) => Some(failure),
+            _ => None,
+        }
+    }
+
+    fn of(cause: &CauseRecord, rows: &[&'a StressRow]) -> Self {
+        let is = |outcome: Outcome| move |row: &&&'a StressRow| row.outcome == outcome;
+        let failures = || rows.iter().copied().filter(|row| is_failure(row));
+        if let Some(first) = failures().next() {
+            // Of equals, the first.
+            let worst = failures().rev().max_by_key(|row| row.artifact_px);
+            return Self::Fails(Failure {
+                first,
+                worst: worst.unwrap_or(first),
+                undeclared: rows.iter().find(is(Outcome::Undeclared)).copied(),
+            });
+        }
+        let unavailable = rows.iter().filter(is(Outcome::Unavailable)).count();
+        match rows.first() {
+            None => Self::Untried,
+            Some(row) if unavailable == rows.len() => Self::Unavailable {
+                reason: &row.reason,
+            },
+            Some(_) => Self::Right {
+                unavailable,
+                cut_off: rows.len() < cause.values.len(),
+            },
+        }
+    }
+}
+
+/// Whether a picture is wrong.
+pub(in crate::report) fn is_failure(row: &StressRow) -> bool {
+    matches!(row.outcome, Outcome::Declared | Outcome::Undeclared)
+}
+
+impl StressRun {
+    /// Where each method begins to fail.
+    pub fn matrix(&self) -> Matrix<'_> {
+        let line = |cause| {
+            let cell = |method| Cell::of(cause, &self.rows_of(cause, method));
+            Line {
+                cause,
+                cells: self.info.methods.iter().map(cell).collect(),
+            }
+        };
+        Matrix {
+            methods: &self.info.methods,
+            lines: self.info.causes.iter().map(line).collect(),
+        }
+    }
+
+    /// The pictures of a cause by a method, values ascending.
+    pub fn rows_of(&self, cause: &CauseRecord, method: &StressMethod) -> Vec<&StressRow> {
+        let is_of = |row: &&StressRow| {
+            row.cause == cause.id && row.method == method.id && row.variant == method.variant
+        };
+        let mut rows: Vec<&StressRow> = self.rows.iter().filter(is_of).collect();
+        rows.sort_by(|one, other| one.value.total_cmp(&other.value));
+        rows
+    }
+
+    /// How many pictures came out how.
+    pub fn counts(&self) -> Counts {
+        let mut counts = Counts::default();
+        for row in &self.rows {
+            *match row.outcome {
+                Outcome::Right => &mut counts.right,
+                Outcome::Declared => &mut counts.declared,
+                Outcome::Undeclared => &mut counts.undeclared,
+                Outcome::Unavailable => &mut counts.unavailable,
+            } += 1;
+        }
+        counts
+    }
+
+    /// Pictures that are wrong though no limit of their method says that they would be.
+    pub fn undeclared(&self) -> usize {
+        self.counts().undeclared
+    }
+}
