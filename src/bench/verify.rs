@@ -4,8 +4,8 @@ use crate::frame::{FrameView, Stage};
 use crate::gpu::{FrameRecorder, Gpu, readback};
 use crate::methods::PreparedMethod;
 use crate::metrics::{
-    Analysis, Distances, EdgeDistances, Flicker, FrameContext, MaskComparison, MaskError, analyse,
-    mean_flip,
+    Analysis, Distances, EdgeDistances, Flicker, FrameContext, MaskComparison, MaskError,
+    SEAM_STEPS, analyse, mean_flip,
 };
 use crate::reference::{
     BoundaryProbe, CacheKey, Motion, Reference, ReferenceCache, ReferenceMask, ReferenceView,
@@ -46,6 +46,8 @@ pub struct PixelTruth {
     pub verdict: Verdict,
     /// Whether the true shadow boundary passes within a pixel of its centre.
     pub at_boundary: bool,
+    /// Whether an edge of the triangle passes it as near as at a [`crate::metrics::Label::Seam`].
+    pub at_seam: bool,
 }
 
 /// How a method did at one view.
@@ -206,10 +208,12 @@ impl<'a> Verifier<'a> {
     pub fn look(&self, truth: &Truth, pixels: &[usize]) -> anyhow::Result<Vec<PixelTruth>> {
         let (reference, mask) = (&self.reference, &truth.mask);
         let probe = BoundaryProbe::new(reference, self.light, &truth.view, mask, pixels.len())?;
+        let evidence = reference.evidence(self.light, &truth.view, &truth.triangle_ids)?;
         let look = |&pixel: &usize| PixelTruth {
             triangle: truth.triangle_ids[pixel].checked_sub(1),
             verdict: mask.verdicts[pixel],
             at_boundary: probe.near_boundary(pixel as u32 % mask.width, pixel as u32 / mask.width),
+            at_seam: evidence.at_an_edge(pixel, SEAM_STEPS),
         };
         Ok(pixels.iter().map(look).collect())
     }

@@ -8,6 +8,7 @@ use crate::bench::{Observer, provenance};
 use crate::config::{ConfigError, StressPlan, cause_called};
 use crate::gpu::{Gpu, shader};
 use crate::methods::parameters::parse_method;
+use crate::report::{self, stability::StressRun};
 use crate::stress::record::{FORMAT, Outcome, StressInfo, StressMethod};
 use crate::stress::{StressRequest, Studio, sweep};
 use anyhow::Context;
@@ -71,8 +72,8 @@ pub(super) fn execute(args: &StressArgs) -> anyhow::Result<()> {
     info.complete = !progress.interrupted();
     info.duration_s = started.elapsed().as_secs_f64();
     info.write(&out)?;
-    let page = out.join("report.html");
-    let _ = error_map_legend();
+    let page = report::write_stability(&out, &error_map_legend())?;
+    print!("{}", StressRun::read(&out)?.matrix_text());
     println!("\nreport: {}", page.display());
     args.device.check_validation()?;
     if !info.complete {

@@ -107,8 +107,9 @@ pub struct Spirv {
 }
 
 /// What was compiled before, by path and definitions: the same few shaders serve every scene.
-static COMPILED: LazyLock<Mutex<HashMap<(String, String), Vec<u32>>>> =
-    LazyLock::new(Mutex::default);
+static COMPILED: LazyLock<Mutex<Compiled>> = LazyLock::new(Mutex::default);
+
+type Compiled = HashMap<(String, String), Vec<u32>>;
 
 /// Compiles the GLSL file at `path` (its ending names the stage) with `defines` set before it.
 ///

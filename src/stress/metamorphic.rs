@@ -9,7 +9,7 @@ use crate::bench::Verifier;
 use crate::bench::verify::PixelTruth;
 use crate::frame::{DepthSetup, Stage};
 use crate::methods::ShadowMethod;
-use crate::metrics::MaskComparison;
+use crate::metrics::{Label, MaskComparison};
 use crate::reference::{ReferenceCache, Verdict};
 use crate::scene::{Mesh, Scene};
 use rand::Rng;
@@ -20,7 +20,8 @@ use std::collections::{BTreeMap, BTreeSet};
 pub struct DifferingPixels {
     /// Those that differ.
     pub differing_px: u64,
-    /// Of these, those that show the same triangle in both pictures and are not ambiguous in either.
+    /// Of these, those that show the same triangle in both pictures, are not ambiguous in either, and are no
+    /// seams of a method that declares them.
     pub decided_px: u64,
     /// Of these in turn, those farther than a pixel from the true shadow boundary in both pictures.
     pub beyond_boundary_px: u64,
@@ -156,7 +157,10 @@ impl<'a> Original<'a> {
                     &known[known.len() - 1].1
                 }
             };
-            rows.push(Ok(self.count(changed, pixels, truths)));
+            let variant = method.variant();
+            let mut limits = method.info().limits_of(&variant);
+            let has_seams = limits.any(|limit| limit.kinds.contains(&Label::Seam.word()));
+            rows.push(Ok(self.count(changed, pixels, truths, has_seams)));
         }
         Ok(rows)
     }
@@ -184,6 +188,7 @@ impl<'a> Original<'a> {
         changed: &Changed,
         pixels: &[usize],
         truths: &BTreeMap<usize, PixelTruths>,
+        has_seams: bool,
     ) -> DifferingPixels {
         let mut counts = DifferingPixels {
             differing_px: pixels.len() as u64,
@@ -195,11 +200,9 @@ impl<'a> Original<'a> {
             let (before, after) = &truths[pixel];
             let origin = after.triangle.map(|t| changed.origins[t as usize]);
             let is_same = same_triangle(&self.scene.mesh, before.triangle, origin);
-            if !is_same
-                || [before, after]
-                    .iter()
-                    .any(|p| p.verdict == Verdict::Ambiguous)
-            {
+            let undecided =
+                |p: &&PixelTruth| p.verdict == Verdict::Ambiguous || has_seams && p.at_seam;
+            if !is_same || [before, after].iter().any(undecided) {
                 continue;
             }
             let place = (*pixel as u32 % width, *pixel as u32 / width);

@@ -42,7 +42,8 @@ impl Cause {
 }
 
 /// Tries every value of every cause with every method; writes `stability.csv` row by row, and into the
-/// folder `failures` the picture and the scene of each method's first failure of a cause. Gives the rows,
+/// folder `failures` the picture and the scene of each method's first failure of a cause, and of its first
+/// undeclared one. Gives the rows,
 /// fewer if the user interrupted.
 ///
 /// # Errors
@@ -59,13 +60,13 @@ pub fn sweep(request: &StressRequest<'_>) -> anyhow::Result<Vec<StressRow>> {
     let mut rows = Vec::new();
     for cause in request.causes {
         request.observer.phase(&cause.id);
-        let mut has_failed = vec![false; request.methods.len()];
+        let mut kept = vec![None; request.methods.len()];
         for &value in &cause.values {
             if request.observer.interrupted() {
                 return Ok(rows);
             }
             let place = || format!("cause `{}` at {value}", cause.id);
-            let found = try_value(request, cause, value, &mut has_failed).with_context(place)?;
+            let found = try_value(request, cause, value, &mut kept).with_context(place)?;
             for row in found {
                 writer.serialize(&row)?;
                 rows.push(row);
@@ -77,26 +78,30 @@ pub fn sweep(request: &StressRequest<'_>) -> anyhow::Result<Vec<StressRow>> {
     Ok(rows)
 }
 
-/// A row a method; `has_failed` says which methods the cause has brought down before.
+/// A row a method; `kept` says of each what failure of this cause there is a picture of.
 fn try_value(
     request: &StressRequest<'_>,
     cause: &Cause,
     value: f64,
-    has_failed: &mut [bool],
+    kept: &mut [Option<Outcome>],
 ) -> anyhow::Result<Vec<StressRow>> {
     let scene = cause.scene(value, request.seed);
     let trial = request.studio.judge(&scene, request.methods)?;
-    let methods = request.methods.iter().zip(&trial.attempts).zip(has_failed);
-    let row = |((method, attempt), has_failed): ((&Box<dyn ShadowMethod>, _), &mut bool)| {
+    let mut rows = Vec::with_capacity(request.methods.len());
+    for ((method, attempt), kept) in request.methods.iter().zip(&trial.attempts).zip(kept) {
         let mut row = row(cause, value, method.as_ref(), attempt);
-        let is_failure = matches!(row.outcome, Outcome::Declared | Outcome::Undeclared);
-        if let (Attempt::Drawn(drawn), true, false) = (attempt, is_failure, *has_failed) {
-            *has_failed = true;
+        let is_new = match row.outcome {
+            Outcome::Right | Outcome::Unavailable => false,
+            Outcome::Declared => kept.is_none(),
+            Outcome::Undeclared => *kept != Some(Outcome::Undeclared),
+        };
+        if let (Attempt::Drawn(drawn), true) = (attempt, is_new) {
+            *kept = Some(row.outcome);
             row.picture = keep(request, &scene, method.as_ref(), drawn, &trial)?;
         }
-        Ok(row)
-    };
-    methods.map(row).collect()
+        rows.push(row);
+    }
+    Ok(rows)
 }
 
 fn row(cause: &Cause, value: f64, method: &dyn ShadowMethod, attempt: &Attempt) -> StressRow {

@@ -119,17 +119,18 @@ impl<'a> Studio<'a> {
         let stages = self.stages(scene, methods);
         let context = PrepareContext::new(self.gpu, scene, &stages[0]);
         let view = scene.camera.view_at(0.0);
-        let mask = |method: &Box<dyn ShadowMethod>| {
-            Ok(match self.prepare(&stages, &context, method.as_ref()) {
+        let mut masks = Vec::with_capacity(methods.len());
+        for method in methods {
+            masks.push(match self.prepare(&stages, &context, method.as_ref()) {
                 Ok((stage, prepared)) => {
                     let stage = &stages[stage];
                     stage.set_view(self.gpu, &view, scene.light);
                     Ok(stage.draw_mask(self.gpu, prepared.as_ref())?)
                 }
                 Err(reason) => Err(reason.to_string()),
-            })
-        };
-        methods.iter().map(mask).collect()
+            });
+        }
+        Ok(masks)
     }
 
     fn stages(&self, scene: &Scene, methods: &[Box<dyn ShadowMethod>]) -> Vec<Stage> {

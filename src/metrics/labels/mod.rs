@@ -32,6 +32,7 @@ use clusters::Clusters;
 use frame::Frame;
 pub use frame::{FrameContext, TexelLookup};
 use grazing::is_grazing;
+pub use seam::SEAM_STEPS;
 use seam::is_seam;
 use speckle::is_speckle;
 use staircase::Staircase;

@@ -12,11 +12,12 @@ const MOST_PX: usize = 2;
 
 /// An edge that leaves the picture is clipped, and its new ends are moved to the rasteriser's grid once more,
 /// for the surface as for each quad: so many steps apart they may come to lie.
-const STEPS: f64 = 4.0;
+pub const SEAM_STEPS: f64 = 4.0;
 
 /// Whether all pixels of a region have an edge of their triangle as near to their centre as the rasteriser
 /// can tell.
 pub(super) fn is_seam(frame: &Frame<'_>, artifact: &Artifact) -> bool {
     let mut pixels = artifact.pixels.iter();
-    artifact.pixels.len() <= MOST_PX && pixels.all(|pixel| frame.probe.at_an_edge(*pixel, STEPS))
+    artifact.pixels.len() <= MOST_PX
+        && pixels.all(|pixel| frame.probe.at_an_edge(*pixel, SEAM_STEPS))
 }
