@@ -476,3 +476,109 @@ fn lists_say_what_can_run_here() {
         assert!(text.contains(word), "{word}");
     }
 }
+
+#[test]
+fn a_stress_run_tells_declared_failures_from_others() {
+    let dir = tempfile::tempdir().unwrap();
+    let path = |name: &str| dir.path().join(name).to_string_lossy().into_owned();
+    let stress = |methods: &[&str], out: &str| {
+        let mut args = vec![
+            "stress",
+            "--cause",
+            "eye_in_volume",
+            "--size",
+            "80x60",
+            "--out",
+            out,
+        ];
+        methods
+            .iter()
+            .for_each(|method| args.extend(["--method", method]));
+        svbench(&args).output().unwrap()
+    };
+    // Z-pass fails in a volume, and says so.
+    let out = path("declared");
+    let output = stress(&["silhouette_gs", "silhouette_gs,counting=z_pass"], &out);
+    assert_eq!(output.status.code(), Some(0));
+    let matrix = String::from_utf8(output.stdout).unwrap();
+    assert!(matrix.contains("eye_in_volume  ·  0.48"), "{matrix}");
+    let out = Path::new(&out);
+    let rows = rows(&out.join("stability.csv"));
+    assert_eq!(rows.len(), 18);
+    let failed: Vec<_> = rows
+        .iter()
+        .filter(|row| row["outcome"] == "declared")
+        .collect();
+    assert_eq!(failed.len(), 6);
+    assert!(failed.iter().all(|row| row["variant"] == "counting=z_pass"));
+    let pictures: Vec<_> = failed
+        .iter()
+        .filter(|row| !row["picture"].is_empty())
+        .collect();
+    assert_eq!(pictures.len(), 1, "the first failure has a picture");
+    assert!(out.join("failures").join(&pictures[0]["picture"]).is_file());
+    let page = std::fs::read_to_string(out.join("report.html")).unwrap();
+    assert!(
+        page.contains("data:image/png"),
+        "the page holds the picture"
+    );
+
+    // The scene that failed fails again.
+    let scene = out.join("failures/eye_in_volume_0.48.toml");
+    let scene = scene.to_string_lossy().into_owned();
+    let method = "silhouette_gs,counting=z_pass";
+    let again = json(&[
+        "render", &scene, "--method", method, "--size", "80x60", "--json",
+    ]);
+    let artifacts = again["errors"]["artifact_px"].as_u64().unwrap();
+    assert_eq!(artifacts.to_string(), pictures[0]["artifact_px"]);
+
+    // Nothing declares what pulling volumes towards the eye does.
+    let output = stress(&["silhouette_gs,push_back_px=-1"], &path("undeclared"));
+    assert_eq!(output.status.code(), Some(1));
+    let errors = String::from_utf8(output.stderr).unwrap();
+    assert!(errors.contains("no method declares"), "{errors}");
+}
+
+#[test]
+fn fuzzing_tells_the_seeds_that_fail() {
+    let dir = tempfile::tempdir().unwrap();
+    let out = dir.path().to_string_lossy().into_owned();
+    let method = "silhouette_gs,counting=z_pass";
+    let args = ["fuzz", "--cases", "3", "--method", method, "--out", &out];
+    let output = svbench(&args).output().unwrap();
+    assert_eq!(output.status.code(), Some(1));
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(
+        text.contains("seed 1: silhouette_gs counting=z_pass"),
+        "{text}"
+    );
+    assert!(dir.path().join("random_1.toml").is_file());
+    // The same scene, by its seed and from its file.
+    let one = ["fuzz", "--cases", "1", "--seed", "1"];
+    succeed(
+        &[
+            &one[..],
+            &["--method", "silhouette_gs", "--method", "triangle_ts"],
+        ]
+        .concat(),
+    );
+    let scene = dir
+        .path()
+        .join("random_1.toml")
+        .to_string_lossy()
+        .into_owned();
+    let again = json(&[
+        "render", &scene, "--method", method, "--size", "160x120", "--json",
+    ]);
+    let artifacts = again["errors"]["artifact_px"].as_u64().unwrap();
+    assert!(
+        text.contains(&format!("{artifacts} artifact pixels")),
+        "{artifacts}: {text}"
+    );
+    let none = succeed(&["fuzz", "--seconds", "0", "--method", "silhouette_gs"]);
+    assert!(
+        String::from_utf8(none.stdout).unwrap().contains(" 0  "),
+        "no time, no case"
+    );
+}

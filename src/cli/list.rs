@@ -1,9 +1,11 @@
-//! `svbench list [methods|scenes|devices]`
+//! `svbench list [methods|scenes|causes|devices]`
 
 use crate::config::{builtin_scenes, find_scene};
 use crate::gpu::{DeviceSummary, Gpu, GpuOptions, list_devices};
 use crate::methods::{MethodInfo, REGISTRY};
 use crate::scene::file::MeshSource;
+use crate::stress::corpus;
+use crate::stress::record::CauseRecord;
 use serde::Serialize;
 use std::path::Path;
 
@@ -24,6 +26,8 @@ pub(super) struct ListArgs {
 enum What {
     Methods,
     Scenes,
+    /// Causes of failure, for `svbench stress`.
+    Causes,
     Devices,
 }
 
@@ -55,6 +59,8 @@ struct Listing {
     #[serde(skip_serializing_if = "Option::is_none")]
     scenes: Option<Vec<SceneRow>>,
     #[serde(skip_serializing_if = "Option::is_none")]
+    causes: Option<Vec<CauseRecord>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     devices: Option<Vec<DeviceSummary>>,
 }
 
@@ -66,6 +72,7 @@ pub(super) fn execute(args: &ListArgs) -> anyhow::Result<()> {
             .then(|| methods(args.adapter.clone()))
             .transpose()?,
         scenes: asked(What::Scenes).then(scenes).transpose()?,
+        causes: asked(What::Causes).then(|| corpus().iter().map(|cause| cause.record()).collect()),
         devices: asked(What::Devices).then(list_devices),
     };
     if args.json {
@@ -180,6 +187,12 @@ fn text(listing: &Listing) -> String {
             &format!("{}: {triangles} triangles, {objects} objects", scene.mesh),
         );
         line(4, &availability(scene.available, &scene.reason));
+    }
+    for cause in listing.causes.iter().flatten() {
+        line(0, &format!("{}  {}", cause.id, cause.title));
+        let values: Vec<_> = cause.values.iter().map(f64::to_string).collect();
+        line(4, &format!("{}: {}", cause.number, values.join(", ")));
+        line(4, &cause.why);
     }
     for device in listing.devices.iter().flatten() {
         line(

@@ -50,7 +50,7 @@ enum Command {
     Fuzz(fuzz::FuzzArgs),
     /// Change scenes in ways that do not change their shadow, and look whether a mask changes.
     Metamorphic(metamorphic::MetamorphicArgs),
-    /// List methods, scenes and devices.
+    /// List methods, scenes, causes of failure and devices.
     List(list::ListArgs),
     /// Write the report of a run directory again, or one of several runs together.
     Report(report::ReportArgs),

@@ -26,7 +26,7 @@ pub(super) const PARAMETERS: &[Parameter] = &[
 ];
 
 /// See [`MethodInfo::tolerated_share`]: at true edges a map is wrong by a texel, which may be several pixels.
-pub(super) const TOLERATED_SHARE: f64 = 0.02;
+pub(super) const TOLERATED_SHARE: f64 = 0.0025;
 
 /// What every map cannot do.
 pub(super) const LIMITS: &[Limit] = &[
