@@ -537,7 +537,10 @@ fn a_stress_run_tells_declared_failures_from_others() {
     let output = stress(&["silhouette_gs,push_back_px=-1"], &path("undeclared"));
     assert_eq!(output.status.code(), Some(1));
     let errors = String::from_utf8(output.stderr).unwrap();
-    assert!(errors.contains("no method declares"), "{errors}");
+    assert!(
+        errors.contains("no limit of the method declares"),
+        "{errors}"
+    );
 }
 
 #[test]
@@ -550,7 +553,7 @@ fn fuzzing_tells_the_seeds_that_fail() {
     assert_eq!(output.status.code(), Some(1));
     let text = String::from_utf8(output.stdout).unwrap();
     assert!(
-        text.contains("seed 1: silhouette_gs counting=z_pass"),
+        text.contains("seed 1: silhouette_gs,counting=z_pass"),
         "{text}"
     );
     assert!(dir.path().join("random_1.toml").is_file());

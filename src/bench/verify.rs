@@ -213,7 +213,7 @@ impl<'a> Verifier<'a> {
             triangle: truth.triangle_ids[pixel].checked_sub(1),
             verdict: mask.verdicts[pixel],
             at_boundary: probe.near_boundary(pixel as u32 % mask.width, pixel as u32 / mask.width),
-            at_seam: evidence.at_an_edge(pixel, SEAM_STEPS),
+            at_seam: evidence.at_inner_edge(pixel, SEAM_STEPS),
         };
         Ok(pixels.iter().map(look).collect())
     }

@@ -2,11 +2,12 @@
 
 use super::progress::Progress;
 use super::{DeviceArgs, check_size, values};
+use crate::bench::Observer;
 use crate::image::Image;
 use crate::methods::parameters::parse_method;
 use crate::methods::{REGISTRY, ShadowMethod};
 use crate::scene::export;
-use crate::stress::{Failure, Finding, FuzzPlan, Studio, Tally, fuzz};
+use crate::stress::{Failure, Finding, FuzzPlan, Studio, Tally, file_name, fuzz};
 use anyhow::Context;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -14,7 +15,7 @@ use std::time::Duration;
 /// Arguments of `svbench fuzz`.
 #[derive(Debug, clap::Args)]
 pub(super) struct FuzzArgs {
-    /// Try this method (default: every method that promises to be exact)
+    /// Try this method; may be repeated (default: every method that promises to be exact)
     #[arg(long, value_name = "ID[,key=value...]")]
     method: Vec<String>,
     /// Number of random scenes
@@ -29,7 +30,7 @@ pub(super) struct FuzzArgs {
     /// Size of the pictures
     #[arg(long, value_name = "WxH", value_parser = values::size, default_value = "160x120")]
     size: (u32, u32),
-    /// Write every scene that fails, and the picture of its errors, into this directory
+    /// Write every scene with an undeclared failure, and the pictures of errors, into this directory
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
     #[command(flatten)]
@@ -56,7 +57,7 @@ pub(super) fn execute(args: &FuzzArgs) -> anyhow::Result<()> {
     let tallies = fuzz(&studio, &methods, &plan, &progress, |failure| {
         println!("{}", line(failure, &methods));
         match &args.out {
-            Some(out) => keep(failure, out, args.size),
+            Some(out) => keep(failure, &methods[failure.method].name(), out, args.size),
             None => Ok(()),
         }
     })?;
@@ -64,10 +65,19 @@ pub(super) fn execute(args: &FuzzArgs) -> anyhow::Result<()> {
     print!("{}", table(&methods, &tallies));
     args.device.check_validation()?;
     let undeclared: u64 = tallies.iter().map(|tally| tally.undeclared).sum();
-    match undeclared {
-        0 => Ok(()),
-        _ => anyhow::bail!("{undeclared} pictures are wrong in a way that no method declares"),
+    if undeclared > 0 {
+        anyhow::bail!(
+            "{undeclared} pictures are wrong in a way that no limit of the method declares"
+        );
     }
+    if progress.interrupted() {
+        anyhow::bail!("interrupted");
+    }
+    let is_idle = |tally: &Tally| tally.cases == 0 && tally.unavailable.is_some();
+    if tallies.iter().all(is_idle) {
+        anyhow::bail!("no method can draw these scenes on this device");
+    }
+    Ok(())
 }
 
 /// The methods named, or all that promise to be exact.
@@ -87,11 +97,6 @@ fn methods(named: &[String]) -> anyhow::Result<Vec<Box<dyn ShadowMethod>>> {
         .collect::<Result<_, _>>()?)
 }
 
-fn name(method: &dyn ShadowMethod) -> String {
-    let name = format!("{} {}", method.info().id, method.variant());
-    name.trim_end().to_owned()
-}
-
 fn line(failure: &Failure<'_>, methods: &[Box<dyn ShadowMethod>]) -> String {
     let Some(drawn) = failure.trial.attempts[failure.method].drawn() else {
         return String::new();
@@ -105,7 +110,7 @@ fn line(failure: &Failure<'_>, methods: &[Box<dyn ShadowMethod>]) -> String {
     format!(
         "seed {}: {}: {} artifact pixels ({}), {}, {} triangles",
         failure.seed,
-        name(methods[failure.method].as_ref()),
+        methods[failure.method].name(),
         judgement.error.artifact_px,
         kinds.join(", "),
         failure.finding.word(),
@@ -113,7 +118,12 @@ fn line(failure: &Failure<'_>, methods: &[Box<dyn ShadowMethod>]) -> String {
     )
 }
 
-fn keep(failure: &Failure<'_>, out: &Path, size_px: (u32, u32)) -> anyhow::Result<()> {
+fn keep(
+    failure: &Failure<'_>,
+    method: &str,
+    out: &Path,
+    size_px: (u32, u32),
+) -> anyhow::Result<()> {
     if !matches!(failure.finding, Finding::Undeclared) {
         return Ok(());
     }
@@ -121,7 +131,7 @@ fn keep(failure: &Failure<'_>, out: &Path, size_px: (u32, u32)) -> anyhow::Resul
     export::write(failure.scene, out, stem)?;
     match failure.trial.attempts[failure.method].drawn() {
         Some(drawn) => Image::rgb(size_px, &drawn.judgement.error_map)
-            .write_png(&out.join(format!("{stem}_{}.png", failure.method))),
+            .write_png(&out.join(format!("{stem}_{}.png", file_name(method)))),
         None => Ok(()),
     }
 }
@@ -139,8 +149,11 @@ fn table(methods: &[Box<dyn ShadowMethod>], tallies: &[Tally]) -> String {
             tally.error.artifact_px,
             tally.error.boundary_px,
             tally.error.ambiguous_px,
-            name(method.as_ref()),
+            method.name(),
         ));
+        if let Some(reason) = &tally.unavailable {
+            text.push_str(&format!("          not available: {reason}\n"));
+        }
     }
     text
 }

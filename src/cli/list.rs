@@ -3,6 +3,7 @@
 use crate::config::{builtin_scenes, find_scene};
 use crate::gpu::{DeviceSummary, Gpu, GpuOptions, list_devices};
 use crate::methods::{MethodInfo, REGISTRY};
+use crate::metrics::Label;
 use crate::scene::file::MeshSource;
 use crate::stress::corpus;
 use crate::stress::record::CauseRecord;
@@ -172,6 +173,21 @@ fn text(listing: &Listing) -> String {
         line(4, &format!("needs: {needs}"));
         for limit in info.limits.iter().copied().flatten() {
             line(4, &format!("limit: {}", limit.text));
+            if !limit.fails.is_empty() {
+                let fails = limit.fails.iter();
+                let causes: Vec<_> = fails
+                    .map(|(cause, from)| format!("{cause} from {from}"))
+                    .collect();
+                line(8, &format!("causes: {}", causes.join(", ")));
+            }
+            match limit.kinds.len() {
+                0 => {}
+                all if all == Label::ALL.len() => line(8, "kinds of error: any"),
+                _ => {
+                    let kinds: Vec<_> = limit.kinds.iter().map(|kind| kind.word()).collect();
+                    line(8, &format!("kinds of error: {}", kinds.join(", ")));
+                }
+            }
         }
         for (name, default, meaning) in info.parameters.concat() {
             line(4, &format!("parameter: {name} = {default}  ({meaning})"));

@@ -11,7 +11,6 @@ use crate::methods::parameters::parse_method;
 use crate::report::{self, stability::StressRun};
 use crate::stress::record::{FORMAT, Outcome, StressInfo, StressMethod};
 use crate::stress::{StressRequest, Studio, sweep};
-use anyhow::Context;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -20,10 +19,10 @@ use std::time::Instant;
 pub(super) struct StressArgs {
     /// The configuration; without one, every method against every cause that comes with the program
     config: Option<PathBuf>,
-    /// Try this method instead of the configuration's
+    /// Try this method instead of the configuration's; may be repeated
     #[arg(long, value_name = "ID[,key=value...]")]
     method: Vec<String>,
-    /// Try only this cause
+    /// Try only this cause; may be repeated
     #[arg(long, value_name = "CAUSE")]
     cause: Vec<String>,
     /// Seed of what is random in the scenes, instead of the configuration's
@@ -83,7 +82,7 @@ pub(super) fn execute(args: &StressArgs) -> anyhow::Result<()> {
     match rows.iter().filter(|row| is_undeclared(row.outcome)).count() {
         0 => Ok(()),
         count => anyhow::bail!(
-            "{count} of {} pictures are wrong in a way that no method declares; {} shows them",
+            "{count} of {} pictures are wrong in a way that no limit of the method declares; {} shows the first of each method and cause",
             rows.len(),
             page.display()
         ),
@@ -103,6 +102,7 @@ fn plan(args: &StressArgs) -> anyhow::Result<StressPlan> {
         let causes = args.cause.iter().map(|cause| cause_called(cause));
         plan.causes = causes.collect::<Result<_, ConfigError>>()?;
     }
+    plan.check_distinct()?;
     plan.seed = args.seed.unwrap_or(plan.seed);
     plan.size_px = args.size.unwrap_or(plan.size_px);
     Ok(plan)
@@ -132,13 +132,5 @@ fn info(plan: &StressPlan, gpu: &Gpu) -> StressInfo {
             .iter()
             .map(|method| StressMethod::of(method.as_ref()))
             .collect(),
-    }
-}
-
-impl StressInfo {
-    fn write(&self, out: &Path) -> anyhow::Result<()> {
-        let path = out.join(crate::stress::record::STRESS_FILE);
-        crate::image::replace_file(&path, |file| Ok(serde_json::to_writer_pretty(file, self)?))
-            .with_context(|| format!("cannot write {}", path.display()))
     }
 }

@@ -9,6 +9,7 @@ use crate::stress::{Cause, corpus, find_cause};
 use crate::toml_array::Exactly;
 use crate::toml_error;
 use serde::Deserialize;
+use std::collections::BTreeSet;
 use std::path::Path;
 use toml::Spanned;
 use toml::de::{DeTable, Deserializer};
@@ -67,6 +68,31 @@ impl StressPlan {
     /// What is wrong, with file, line and column.
     pub fn read(path: &Path) -> Result<Self, ConfigError> {
         Self::parse(&read_text(path)?, &path.display().to_string())
+    }
+
+    /// Refuses causes and methods that are there twice: results tell pictures apart by them.
+    ///
+    /// # Errors
+    /// When one is; the message names it.
+    pub fn check_distinct(&self) -> Result<(), ConfigError> {
+        let causes = self
+            .causes
+            .iter()
+            .map(|cause| format!("cause `{}`", cause.id));
+        let methods = self
+            .methods
+            .iter()
+            .map(|method| format!("method `{}`", method.name()));
+        let mut known = BTreeSet::new();
+        match causes
+            .chain(methods)
+            .find(|name| !known.insert(name.clone()))
+        {
+            Some(name) => Err(ConfigError(format!(
+                "the {name} is there twice; remove one of the two"
+            ))),
+            None => Ok(()),
+        }
     }
 
     fn parse(text: &str, name: &str) -> Result<Self, ConfigError> {

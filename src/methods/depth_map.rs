@@ -6,6 +6,7 @@ use super::{
     BiasSearch, Limit, MethodError, MethodInfo, Parameter, PrepareContext, PreparedMethod,
     ShadowMethod,
 };
+use crate::metrics::Label;
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
 use std::fmt;
 use std::marker::PhantomData;
@@ -34,13 +35,15 @@ pub(super) const LIMITS: &[Limit] = &[
         text: "edges are as coarse as the map's texels; acne and detached shadows trade off by bias",
         with: &[],
         fails: &[],
-        kinds: &["staircase", "acne", "detached_shadow"],
+        kinds: &[Label::Staircase, Label::Acne, Label::DetachedShadow],
+        most_px: u64::MAX,
     },
     Limit {
-        text: "slope_bias=0: acne on every surface that does not face the light squarely",
+        text: "slope_bias=0: wrong in any scene: acne on every surface that does not face the light squarely",
         with: &[("slope_bias", "0.0")],
         fails: &[],
-        kinds: &["acne", "unlabelled"],
+        kinds: &Label::ALL,
+        most_px: u64::MAX,
     },
     PRECISION_LIMIT,
 ];

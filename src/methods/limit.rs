@@ -1,6 +1,7 @@
 //! What a method cannot do: in words for people, and in causes of the stress corpus for machines.
 
 use super::MethodInfo;
+use crate::metrics::Label;
 use serde::Serialize;
 
 /// Something that a method cannot do or gets wrong, by design.
@@ -12,8 +13,10 @@ pub struct Limit {
     pub with: &'static [(&'static str, &'static str)],
     /// The causes of the stress corpus that fail by it, each with the value from which on they do.
     pub fails: &'static [(&'static str, f64)],
-    /// Kinds of error (see [`crate::metrics::Label`]) that it leaves in any scene.
-    pub kinds: &'static [&'static str],
+    /// Kinds of error that it leaves in any scene.
+    pub kinds: &'static [Label],
+    /// Most artifact pixels of a picture that it accounts for: few where single pixels are all it is about.
+    pub most_px: u64,
 }
 
 impl Limit {
@@ -24,6 +27,7 @@ impl Limit {
             with: &[],
             fails: &[],
             kinds: &[],
+            most_px: u64::MAX,
         }
     }
 
@@ -36,7 +40,8 @@ impl Limit {
         self.with.is_empty() || self.with.iter().any(is_set)
     }
 
-    fn covers(&self, cause: &str, value: f64) -> bool {
+    /// Whether it stands for a cause at a value.
+    pub fn covers(&self, cause: &str, value: f64) -> bool {
         let is_it = |(name, from): &(&str, f64)| *name == cause && value >= *from;
         self.fails.iter().any(is_it)
     }
@@ -49,6 +54,7 @@ pub(super) const PRECISION_LIMIT: Limit = Limit {
     with: &[],
     fails: &[("translation", 5.0), ("large_triangles", 5.0)],
     kinds: &[],
+    most_px: u64::MAX,
 };
 
 impl MethodInfo {
@@ -56,11 +62,5 @@ impl MethodInfo {
     pub fn limits_of(&self, variant: &str) -> impl Iterator<Item = &'static Limit> {
         let limits = self.limits.iter().copied().flatten();
         limits.filter(move |limit| limit.holds(variant))
-    }
-
-    /// The limit by which a variant of the method may fail at a value of a cause of the stress corpus.
-    pub fn declared(&self, variant: &str, cause: &str, value: f64) -> Option<&'static Limit> {
-        self.limits_of(variant)
-            .find(|limit| limit.covers(cause, value))
     }
 }

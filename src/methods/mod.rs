@@ -158,6 +158,12 @@ pub struct BiasSearch<'a> {
     pub with_bias: WithBias<'a>,
 }
 
+/// Id and variant of a method as they are written on the command line.
+pub fn full_name(id: &str, variant: &str) -> String {
+    let comma = if variant.is_empty() { "" } else { "," };
+    format!("{id}{comma}{variant}")
+}
+
 /// A method with its parameters.
 pub trait ShadowMethod {
     /// What it is.
@@ -166,6 +172,11 @@ pub trait ShadowMethod {
     /// The parameters that differ from their defaults, `name=value` joined by commas; empty for
     /// the default variant.
     fn variant(&self) -> String;
+
+    /// Id and variant as they are written on the command line: `id,name=value`.
+    fn name(&self) -> String {
+        full_name(self.info().id, &self.variant())
+    }
 
     /// The depth buffer that its frames are to be drawn with.
     fn depth_setup(&self) -> DepthSetup {

@@ -9,6 +9,7 @@ use super::{Limit, MethodError, MethodInfo, PrepareContext, PreparedMethod, Texe
 use crate::frame::Stage;
 use crate::frame::fullscreen::bind_group;
 use crate::gpu::FrameRecorder;
+use crate::metrics::Label;
 use glam::DVec3;
 use wgpu::util::DeviceExt;
 
@@ -25,11 +26,12 @@ pub(super) static INFO: MethodInfo = MethodInfo {
             with: &[],
             fails: &[
                 ("light_in_mesh", 0.5),
-                ("light_in_lantern", 0.5),
+                ("light_in_lantern", 0.6),
                 ("light_near_face", 1.0),
                 ("light_on_element", 1.0),
             ],
-            kinds: &["uncovered"],
+            kinds: &[Label::Uncovered],
+            most_px: u64::MAX,
         }],
     ],
     tolerated_share: depth_map::TOLERATED_SHARE,

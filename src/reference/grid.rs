@@ -23,36 +23,45 @@ const GRID_PX: f64 = 1.0 / 256.0;
 const SINGLE_PRECISION: f64 = 1e-5;
 
 impl Projection {
-    /// Whether an edge of a triangle passes a place, or misses it, by less than so many steps of the grid
-    /// can tell.
+    /// Whether an edge of a triangle passes a place, or misses it, by less than so many steps of the grid.
     pub(super) fn at_an_edge(&self, place_px: DVec2, corners: &[Vec3; 3], steps: f64) -> bool {
-        let middle_px = self.size_px / 2.0;
-        let beside_px = middle_px + steps * GRID_PX;
-        // An angle is largest in the middle of the picture.
-        let [one, other] = [middle_px, beside_px].map(|at| self.ray(at).direction);
-        !meets_well_inside(&self.ray(place_px), corners, one.distance(other))
+        let ray = self.ray(place_px);
+        let angle = |step: DVec2| {
+            let beside = self.ray(place_px + steps * GRID_PX * step);
+            beside.direction.distance(ray.direction)
+        };
+        let angle = angle(DVec2::X).max(angle(DVec2::Y));
+        !meets_well_inside(&ray, corners, angle)
     }
 }
 
 impl Reference {
-    /// Whether the surface goes on all around a pixel's centre close to an edge of the triangle `own`, in
-    /// `own` itself or across an edge from which no shadow volume starts.
+    /// Whether the surface goes on all around a pixel's centre close to an edge of the triangle `own`, for
+    /// so many steps of the grid: in `own` itself, in a copy of it, or across an edge from which no shadow
+    /// volume starts. Near a corner, where a triangle that meets `own` in no edge may be next, it is taken
+    /// not to.
     pub(super) fn goes_on(
         &self,
         projection: &Projection,
         centre_px: DVec2,
         own: &Primitive,
         light: Light,
+        steps: f64,
     ) -> bool {
         let around = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
         around.into_iter().all(|(x, y)| {
-            let place_px = centre_px + GRID_PX * DVec2::new(x, y);
-            let next = self.visible(projection, place_px);
-            next.is_some_and(|(next, _)| {
-                next.triangle == own.triangle
-                    || common_edge(&own.corners, &next.corners)
-                        .is_some_and(|edge| !self.is_silhouette(edge, light))
-            })
+            let place_px = centre_px + steps * GRID_PX * DVec2::new(x, y);
+            let Some((next, _)) = self.visible(projection, place_px) else {
+                return false;
+            };
+            let common = own.corners.map(|corner| next.corners.contains(&corner));
+            match common {
+                [true, true, true] => true,
+                [true, true, false] => !self.is_silhouette([own.corners[0], own.corners[1]], light),
+                [true, false, true] => !self.is_silhouette([own.corners[0], own.corners[2]], light),
+                [false, true, true] => !self.is_silhouette([own.corners[1], own.corners[2]], light),
+                _ => false,
+            }
         })
     }
 
@@ -69,28 +78,20 @@ impl Reference {
         } else {
             light_point
         };
-        let mut multiplicity = 0;
-        for triangle in self.tree.around((from + to) / 2.0) {
+        let (mut multiplicity, mut is_certain) = (0, true);
+        self.tree.visit_around((from + to) / 2.0, |triangle| {
             let Some(opposite) = opposite(&triangle.corners, edge).filter(|_| triangle.casts)
             else {
-                continue;
+                return;
             };
             let (volume, _) = edge_volume(opposite.as_dvec3(), to_light, edge);
             let most = to_light.length() * (to - from).length();
             let most = most * (opposite.as_dvec3() - from).length();
-            if volume.abs() <= SINGLE_PRECISION * most {
-                return true;
-            }
+            is_certain &= volume.abs() > SINGLE_PRECISION * most;
             multiplicity += if volume > 0.0 { 1 } else { -1 };
-        }
-        multiplicity != 0
+        });
+        multiplicity != 0 || !is_certain
     }
-}
-
-/// The two corners that triangles have in common, if two.
-fn common_edge(one: &[Vec3; 3], other: &[Vec3; 3]) -> Option<[Vec3; 2]> {
-    let mut common = one.iter().filter(|corner| other.contains(corner));
-    Some([*common.next()?, *common.next()?])
 }
 
 /// The third corner of a triangle on an edge.
@@ -98,4 +99,81 @@ fn opposite(corners: &[Vec3; 3], edge: [Vec3; 2]) -> Option<Vec3> {
     let is_on_it = edge.iter().all(|end| corners.contains(end));
     let third = corners.iter().find(|corner| !edge.contains(corner));
     third.filter(|_| is_on_it).copied()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::Verdict;
+    use super::super::fixtures::{Scene, view};
+    use super::*;
+    use glam::Vec4;
+
+    const LAMP: Vec4 = Vec4::new(0.3, 6.0, 0.2, 1.0);
+    const SUN: Vec4 = Vec4::new(0.1, 1.0, 0.2, 0.0);
+
+    /// A triangle on the edge along x, at a depth z, to its third corner.
+    fn on_edge(z: f32, third: Vec3) -> [Vec3; 3] {
+        [Vec3::new(-1.1, 0.0, z), Vec3::new(1.3, 0.0, z), third]
+    }
+
+    /// The verdict of the pixel in the middle of the picture, which looks straight down upon the origin. A
+    /// pixel is 0.057 wide there.
+    fn in_the_middle(casters: &[[Vec3; 3]], light: Vec4) -> Verdict {
+        let view = view(Vec3::new(0.0, 5.0, 0.0), Vec3::ZERO, 101, 101);
+        let (ids, mask) = Scene::default().cast(casters).trace(light, &view);
+        assert_ne!(ids[50 * 101 + 50], 0, "something is there");
+        mask.get(50, 50).unwrap()
+    }
+
+    const SOUTH: Vec3 = Vec3::new(0.2, 0.0, 1.4);
+    const NORTH: Vec3 = Vec3::new(0.1, 0.0, -1.2);
+    const BELOW: Vec3 = Vec3::new(0.1, -0.7, 0.2);
+
+    #[test]
+    fn a_surface_that_goes_on_is_decided() {
+        let quad = [on_edge(0.0, SOUTH), on_edge(0.0, NORTH)];
+        let twice = [quad, quad].concat();
+        for light in [LAMP, SUN] {
+            assert_eq!(in_the_middle(&quad, light), Verdict::Lit);
+            assert_eq!(in_the_middle(&twice, light), Verdict::Lit);
+        }
+    }
+
+    #[test]
+    fn where_it_ends_the_grid_decides_within_its_step() {
+        let ends_at = |z| in_the_middle(&[on_edge(z, SOUTH)], LAMP);
+        assert_eq!(ends_at(-1e-4), Verdict::Ambiguous);
+        assert_eq!(
+            ends_at(-6e-4),
+            Verdict::Lit,
+            "a hundredth of a pixel inside"
+        );
+    }
+
+    #[test]
+    fn where_a_shadow_volume_starts_the_grid_decides() {
+        let fin = [
+            on_edge(0.0, SOUTH),
+            on_edge(0.0, NORTH),
+            on_edge(0.0, BELOW),
+        ];
+        for light in [LAMP, SUN] {
+            assert_eq!(in_the_middle(&fin, light), Verdict::Ambiguous);
+        }
+        // Two fins that the light sees on both sides of the edge cancel.
+        let thirds = [SOUTH, NORTH, BELOW, BELOW.with_z(-0.4)];
+        let two = thirds.map(|third| on_edge(1e-4, third));
+        assert_eq!(
+            in_the_middle(&two, Vec4::new(0.1, 6.0, 0.01, 1.0)),
+            Verdict::Lit
+        );
+    }
+
+    #[test]
+    fn a_light_in_the_plane_of_a_triangle_may_be_on_either_side() {
+        let upright = on_edge(0.0, Vec3::new(0.0, -0.8, 0.0));
+        let with_fin = [on_edge(0.0, SOUTH), on_edge(0.0, NORTH), upright];
+        let above = Vec4::new(0.3, 6.0, 0.0, 1.0);
+        assert_eq!(in_the_middle(&with_fin, above), Verdict::Ambiguous);
+    }
 }

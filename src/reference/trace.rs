@@ -86,12 +86,14 @@ impl Reference {
                     *verdict = Verdict::Ambiguous;
                     continue;
                 };
-                *verdict = self.judge(own, point, projection.eye, light, &mut last_blocker);
-                if projection.at_an_edge(centre_px, &own.corners, 1.0)
-                    && !self.goes_on(&projection, centre_px, own, light)
-                {
-                    *verdict = Verdict::Ambiguous;
-                }
+                // A pixel that the rasteriser's grid decides has no truth.
+                let is_of_grid = projection.at_an_edge(centre_px, &own.corners, 1.0)
+                    && !self.goes_on(&projection, centre_px, own, light, 1.0);
+                *verdict = if is_of_grid {
+                    Verdict::Ambiguous
+                } else {
+                    self.judge(own, point, projection.eye, light, &mut last_blocker)
+                };
             }
         });
         ReferenceMask::new(view.width, view.height, verdicts)

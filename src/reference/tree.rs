@@ -109,14 +109,12 @@ impl Tree {
         &self.primitives[self.slots[triangle as usize] as usize]
     }
 
-    /// Every triangle whose box holds a point, and some others.
-    pub(super) fn around(&self, point: DVec3) -> Vec<&Primitive> {
-        let mut found = Vec::new();
+    /// Shows every triangle whose box holds a point, and some others.
+    pub(super) fn visit_around(&self, point: DVec3, mut visit: impl FnMut(&Primitive)) {
         self.visit_along(point, DVec3::X, 0.0, |primitive| {
-            found.push(self.primitive(primitive.triangle));
+            visit(primitive);
             Visit::On
         });
-        found
     }
 
     /// Shows every triangle that the ray may meet within its reach, roughly from near to far, and

@@ -44,6 +44,8 @@ pub struct Tally {
     pub undeclared: u64,
     /// Sum over all pictures.
     pub error: MaskError,
+    /// Why it could not draw the last of the others, if there are any.
+    pub unavailable: Option<String>,
 }
 
 /// Draws random scenes until there are no more seeds, the time is up or the user interrupts; `found` is told
@@ -69,11 +71,15 @@ pub fn fuzz(
         let scene = random::case(seed);
         let trial = studio.judge(&scene, methods)?;
         for (index, (method, attempt)) in methods.iter().zip(&trial.attempts).enumerate() {
-            let Attempt::Drawn(drawn) = attempt else {
-                continue;
+            let tally = &mut tallies[index];
+            let drawn = match attempt {
+                Attempt::Drawn(drawn) => drawn,
+                Attempt::Unavailable(reason) => {
+                    tally.unavailable = Some(reason.clone());
+                    continue;
+                }
             };
             let finding = Finding::of(method.as_ref(), None, drawn);
-            let tally = &mut tallies[index];
             tally.cases += 1;
             tally.error += drawn.judgement.error;
             match finding {

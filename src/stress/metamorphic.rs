@@ -85,18 +85,11 @@ pub fn check(
         let all = original.compare(&changed)?.into_iter().zip(methods);
         rows.extend(all.map(|(pixels, method)| Difference {
             change,
-            method: label(method.as_ref()),
+            method: method.name(),
             pixels,
         }));
     }
     Ok(rows)
-}
-
-/// The method's id and the parameters that are not at their defaults.
-fn label(method: &dyn ShadowMethod) -> String {
-    let (id, variant) = (method.info().id, method.variant());
-    let comma = if variant.is_empty() { "" } else { "," };
-    format!("{id}{comma}{variant}")
 }
 
 impl<'a> Original<'a> {
@@ -159,7 +152,7 @@ impl<'a> Original<'a> {
             };
             let variant = method.variant();
             let mut limits = method.info().limits_of(&variant);
-            let has_seams = limits.any(|limit| limit.kinds.contains(&Label::Seam.word()));
+            let has_seams = limits.any(|limit| limit.kinds.contains(&Label::Seam));
             rows.push(Ok(self.count(changed, pixels, truths, has_seams)));
         }
         Ok(rows)

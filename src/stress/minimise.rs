@@ -186,7 +186,9 @@ impl Search<'_> {
         while let Some(place) = places(&self.best).nth(number) {
             self.round_all(&[place])?;
             for axis in 0..3 {
-                self.round_one(place, axis)?;
+                if places(&self.best).nth(number).is_some() {
+                    self.round_one(place, axis)?;
+                }
             }
             number += 1;
         }

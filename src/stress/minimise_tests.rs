@@ -150,3 +150,21 @@ fn a_mesh_without_triangles_is_no_trouble() {
     let left = minimise(&tower(0), &mut |_| Ok(true), &never());
     assert_eq!(left.unwrap().scene.mesh.triangles.len(), 0);
 }
+
+#[test]
+fn a_last_vertex_that_falls_on_another_ends_its_turn() {
+    let triangle = [
+        Vec3::new(0.0, 0.3, 0.0),
+        Vec3::new(0.0, 0.3, 1.7),
+        Vec3::new(1.3, 0.3, 0.0),
+    ];
+    let mesh: Mesh = [Part::of_triangles("one", &[triangle])]
+        .into_iter()
+        .collect();
+    let (low, high) = mesh.bounds();
+    let camera = CameraPath::framing(low, high);
+    let light = Vec4::new(0.37, 20.1, 0.21, 1.0);
+    let scene = Scene::new("one".to_owned(), "One".to_owned(), mesh, light, camera);
+    let minimal = minimise(&scene, &mut |_| Ok(true), &never()).unwrap();
+    assert_eq!(minimal.scene.mesh.triangles.len(), 1);
+}

@@ -1,8 +1,12 @@
 //! The files of a stress run: `stability.json` says what was tried and where, `stability.csv` has a row for
 //! every picture, and the folder `failures` a picture of each method's first failure.
 
+use super::cause::Cause;
 use crate::bench::record::{DeviceRecord, HostRecord};
+use crate::methods::{ShadowMethod, full_name};
+use anyhow::Context;
 use serde::{Deserialize, Serialize};
+use std::path::Path;
 
 /// What was tried and where.
 pub const STRESS_FILE: &str = "stability.json";
@@ -10,6 +14,9 @@ pub const STRESS_FILE: &str = "stability.json";
 pub const ROWS_FILE: &str = "stability.csv";
 /// The folder of pictures and scenes of failures.
 pub const FAILURES_DIR: &str = "failures";
+
+/// White pixels between truth, mask and errors in a picture of a failure.
+pub const GAP_PX: u32 = 4;
 
 /// Layout of these files.
 pub const FORMAT: u32 = 1;
@@ -55,6 +62,18 @@ pub struct StressInfo {
     pub methods: Vec<StressMethod>,
 }
 
+impl StressInfo {
+    /// Writes `stability.json` into a directory, over the one before.
+    ///
+    /// # Errors
+    /// When it cannot be written.
+    pub fn write(&self, out: &Path) -> anyhow::Result<()> {
+        let path = out.join(STRESS_FILE);
+        crate::image::replace_file(&path, |file| Ok(serde_json::to_writer_pretty(file, self)?))
+            .with_context(|| format!("cannot write {}", path.display()))
+    }
+}
+
 /// A cause of failure.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct CauseRecord {
@@ -70,6 +89,19 @@ pub struct CauseRecord {
     pub values: Vec<f64>,
 }
 
+impl Cause {
+    /// What results say of it.
+    pub fn record(&self) -> CauseRecord {
+        CauseRecord {
+            id: self.id.clone(),
+            title: self.title.clone(),
+            number: self.number.clone(),
+            why: self.why.split_whitespace().collect::<Vec<_>>().join(" "),
+            values: self.values.clone(),
+        }
+    }
+}
+
 /// A method in one variant.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct StressMethod {
@@ -82,11 +114,18 @@ pub struct StressMethod {
 }
 
 impl StressMethod {
+    /// What results say of a method.
+    pub fn of(method: &dyn ShadowMethod) -> Self {
+        Self {
+            id: method.info().id.to_owned(),
+            variant: method.variant(),
+            tolerated_share: method.info().tolerated_share,
+        }
+    }
+
     /// Id and variant.
     pub fn name(&self) -> String {
-        format!("{} {}", self.id, self.variant)
-            .trim_end()
-            .to_owned()
+        full_name(&self.id, &self.variant)
     }
 }
 

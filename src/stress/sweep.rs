@@ -2,7 +2,7 @@
 
 use super::cause::Cause;
 use super::finding::Finding;
-use super::record::{CauseRecord, FAILURES_DIR, Outcome, ROWS_FILE, StressMethod, StressRow};
+use super::record::{FAILURES_DIR, GAP_PX, Outcome, ROWS_FILE, StressRow};
 use super::trial::{Attempt, Drawn, Studio, Trial};
 use crate::bench::Observer;
 use crate::bench::record::pairs_to_text;
@@ -26,19 +26,6 @@ pub struct StressRequest<'a> {
     pub out: &'a Path,
     /// Told of progress.
     pub observer: &'a dyn Observer,
-}
-
-impl Cause {
-    /// What results say of it.
-    pub fn record(&self) -> CauseRecord {
-        CauseRecord {
-            id: self.id.clone(),
-            title: self.title.clone(),
-            number: self.number.clone(),
-            why: self.why.split_whitespace().collect::<Vec<_>>().join(" "),
-            values: self.values.clone(),
-        }
-    }
 }
 
 /// Tries every value of every cause with every method; writes `stability.csv` row by row, and into the
@@ -161,17 +148,13 @@ fn keep(
     if !folder.join(format!("{stem}.toml")).exists() {
         export::write(scene, &folder, &stem)?;
     }
-    let method = format!("{} {}", method.info().id, method.variant());
-    let name = format!("{}.png", file_name(&format!("{}_{method}", scene.name)));
+    let name = file_name(&format!("{}_{}", scene.name, method.name())) + ".png";
     let (width, height) = request.studio.size_px;
     let truth = trial.truth.to_grey();
     let rgb = strip(width as usize, &truth, drawn);
-    Image::rgb((3 * width + 2 * GAP_PX as u32, height), &rgb).write_png(&folder.join(&name))?;
+    Image::rgb((3 * width + 2 * GAP_PX, height), &rgb).write_png(&folder.join(&name))?;
     Ok(name)
 }
-
-/// White pixels between pictures.
-const GAP_PX: usize = 4;
 
 fn strip(width: usize, truth: &[u8], drawn: &Drawn) -> Vec<u8> {
     let grey = |row: &[u8]| {
@@ -179,7 +162,7 @@ fn strip(width: usize, truth: &[u8], drawn: &Drawn) -> Vec<u8> {
             .flat_map(|value| [*value; 3])
             .collect::<Vec<u8>>()
     };
-    let gap = [255; 3 * GAP_PX];
+    let gap = [255; 3 * GAP_PX as usize];
     let rows = truth.chunks(width).zip(drawn.mask.chunks(width));
     let rows = rows.zip(drawn.judgement.error_map.chunks(3 * width));
     rows.flat_map(|((truth, mask), errors)| {
@@ -195,15 +178,4 @@ pub(crate) fn file_name(text: &str) -> String {
         if is_safe { c } else { '-' }
     };
     text.trim().chars().map(safe).collect()
-}
-
-impl StressMethod {
-    /// What results say of a method.
-    pub fn of(method: &dyn ShadowMethod) -> Self {
-        Self {
-            id: method.info().id.to_owned(),
-            variant: method.variant(),
-            tolerated_share: method.info().tolerated_share,
-        }
-    }
 }

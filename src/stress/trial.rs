@@ -71,7 +71,7 @@ impl<'a> Studio<'a> {
     /// Draws the first view of `scene` with every method and judges the masks.
     ///
     /// # Errors
-    /// When the device is lost, or the scene cannot be traced.
+    /// When the device is lost, the scene cannot be traced, or a method's parameters or shaders are refused.
     pub fn judge(&self, scene: &Scene, methods: &[Box<dyn ShadowMethod>]) -> anyhow::Result<Trial> {
         let stages = self.stages(scene, methods);
         let context = PrepareContext::new(self.gpu, scene, &stages[0]);
@@ -82,10 +82,11 @@ impl<'a> Studio<'a> {
         for method in methods {
             let (stage, prepared) = match self.prepare(&stages, &context, method.as_ref()) {
                 Ok(ready) => ready,
-                Err(reason) => {
-                    attempts.push(Attempt::Unavailable(reason.to_string()));
+                Err(MethodError::Unavailable(reason)) => {
+                    attempts.push(Attempt::Unavailable(reason));
                     continue;
                 }
+                Err(error) => return Err(refused(method.as_ref(), error)),
             };
             let verifier = first.on(&stages[stage]);
             let truth = match &mut truths[stage] {
@@ -110,7 +111,7 @@ impl<'a> Studio<'a> {
     /// reason why a method cannot.
     ///
     /// # Errors
-    /// When the device is lost.
+    /// When the device is lost, or a method's parameters or shaders are refused.
     pub fn masks(
         &self,
         scene: &Scene,
@@ -127,7 +128,8 @@ impl<'a> Studio<'a> {
                     stage.set_view(self.gpu, &view, scene.light);
                     Ok(stage.draw_mask(self.gpu, prepared.as_ref())?)
                 }
-                Err(reason) => Err(reason.to_string()),
+                Err(MethodError::Unavailable(reason)) => Err(reason),
+                Err(error) => return Err(refused(method.as_ref(), error)),
             });
         }
         Ok(masks)
@@ -155,4 +157,8 @@ impl<'a> Studio<'a> {
         let prepared = method.prepare(&context.on(&stages[stage]))?;
         Ok((stage, prepared))
     }
+}
+
+fn refused(method: &dyn ShadowMethod, error: MethodError) -> anyhow::Error {
+    anyhow::Error::new(error).context(format!("method `{}`", method.name()))
 }

@@ -6,15 +6,15 @@
 use super::frame::Frame;
 use crate::metrics::regions::Artifact;
 
-/// Sine of the angle between surface and light, below which a volume is thinner than 32 bits of depth can
-/// tell: a hundred times their last bit, for the error of the planes that depth is taken from.
+/// Sine of the angle between surface and light below which that happens. Depth is taken from planes that are
+/// hundreds of pixels wide: they are uncertain by some hundred times its last bit, which is 6e-8 of it.
 const GRAZING_SINE: f64 = 1e-4;
 
 /// Whether the light sees the surface edge-on at all pixels of a region.
 pub(super) fn is_grazing(frame: &Frame<'_>, artifact: &Artifact) -> bool {
-    artifact
-        .pixels
-        .iter()
-        .filter_map(|pixel| frame.probe.light_sine(*pixel))
-        .all(|sine| sine < GRAZING_SINE)
+    let is_grazing = |pixel: &usize| {
+        let sine = frame.probe.light_sine(*pixel);
+        sine.is_some_and(|sine| sine < GRAZING_SINE)
+    };
+    artifact.pixels.iter().all(is_grazing)
 }

@@ -23,6 +23,7 @@ mod whole_frame;
 mod tests;
 
 use rayon::prelude::*;
+use serde::{Serialize, Serializer};
 
 use super::mask_error::{MaskComparison, Place};
 use super::regions::{Artifact, Region, Sign, artifacts};
@@ -101,6 +102,12 @@ impl Label {
     }
 }
 
+impl Serialize for Label {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(self.word())
+    }
+}
+
 /// The wrong pixels of a picture by region and by kind of error.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Analysis {
@@ -115,13 +122,6 @@ impl Analysis {
     #[must_use]
     pub fn label_px(&self, label: Label) -> u64 {
         self.label_px[label as usize]
-    }
-
-    /// Wrong pixels with the label of this word; 0 for a word that is none.
-    #[must_use]
-    pub fn word_px(&self, word: &str) -> u64 {
-        let label = Label::ALL.into_iter().find(|label| label.word() == word);
-        label.map_or(0, |label| self.label_px(label))
     }
 
     /// The word of each label that occurs, and its wrong pixels.

@@ -14,10 +14,9 @@ const MOST_PX: usize = 2;
 /// for the surface as for each quad: so many steps apart they may come to lie.
 pub const SEAM_STEPS: f64 = 4.0;
 
-/// Whether all pixels of a region have an edge of their triangle as near to their centre as the rasteriser
-/// can tell.
+/// Whether all pixels of a region have such an edge at their centre.
 pub(super) fn is_seam(frame: &Frame<'_>, artifact: &Artifact) -> bool {
     let mut pixels = artifact.pixels.iter();
     artifact.pixels.len() <= MOST_PX
-        && pixels.all(|pixel| frame.probe.at_an_edge(*pixel, SEAM_STEPS))
+        && pixels.all(|pixel| frame.probe.at_inner_edge(*pixel, SEAM_STEPS))
 }

@@ -321,7 +321,7 @@ fn words_are_what_results_say() {
     let words = Label::ALL.map(Label::word).join(" ");
     assert_eq!(
         words,
-        "acne detached_shadow leak staircase overflow uncovered inverted offset unlabelled"
+        "acne detached_shadow leak staircase overflow uncovered seam grazing inverted offset unlabelled"
     );
     assert!(
         Label::ALL

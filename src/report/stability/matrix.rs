@@ -73,7 +73,13 @@ impl Counts {
     }
 }
 
-impl Failure<'_> {
+impl<'a> Failure<'a> {
+    /// The failures that are shown: the first, and the first undeclared one if that is another.
+    pub fn shown(&self) -> impl Iterator<Item = &'a StressRow> + use<'a> {
+        let later = self.undeclared.filter(|row| row.value != self.first.value);
+        [self.first].into_iter().chain(later)
+    }
+
     /// Whether no limit declares the very first failure.
     pub fn begins_undeclared(&self) -> bool {
         self.first.outcome == Outcome::Undeclared

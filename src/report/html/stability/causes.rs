@@ -1,7 +1,7 @@
 //! A section for each cause: what it is, how many pixels are wrong at each value, and pictures.
 
 use super::cause_id;
-use super::failures::{Album, figure};
+use super::failures::{Album, figures};
 use crate::report::LegendEntry;
 use crate::report::format::{count, short};
 use crate::report::html::gallery::legend_list;
@@ -48,10 +48,10 @@ fn cause(
     line: &Line<'_>,
     album: &Album<'_>,
 ) -> Result<Markup> {
-    let mut figures = Vec::new();
+    let mut failures = Vec::new();
     for (index, cell) in line.cells.iter().enumerate() {
         if let Some(failure) = cell.failure() {
-            figures.push(figure(run, line, index, failure, album)?);
+            failures.push(figures(run, line, index, failure, album)?);
         }
     }
     let is_tried = line.cells.iter().any(|cell| *cell != Cell::Untried);
@@ -61,7 +61,7 @@ fn cause(
             p.why { (line.cause.why) }
             @if is_tried { (table(run, matrix, line)) }
             @else { p.quiet { "Not tried: the run was interrupted before." } }
-            @for figure in figures { (figure) }
+            @for figures in failures { (figures) }
         }
     })
 }

@@ -2,11 +2,12 @@
 
 use super::failure_id;
 use crate::bench::record::pairs_from_text;
+use crate::methods::full_name;
 use crate::report::format::{count, short};
 use crate::report::html::pictures::data_uri;
 use crate::report::stability::{Failure, Line, Matrix, StressRun};
 use crate::stress::file_name;
-use crate::stress::record::{FAILURES_DIR, Outcome, StressRow};
+use crate::stress::record::{FAILURES_DIR, GAP_PX, Outcome, StressRow};
 use anyhow::Result;
 use maud::{Markup, html};
 use std::collections::HashSet;
@@ -15,8 +16,6 @@ use std::collections::HashSet;
 const MOST_BYTES: u64 = 22 << 20;
 /// Pixels of the page that a picture may be wide.
 const PAGE_WIDTH_PX: u32 = 1190;
-/// White pixels between the three parts of a picture.
-const GAP_PX: u32 = 4;
 
 /// The pictures that the page holds; others it links to.
 pub(super) struct Album<'a> {
@@ -30,10 +29,11 @@ impl<'a> Album<'a> {
         let cells = matrix.lines.iter().flat_map(|line| &line.cells);
         let mut failures: Vec<&Failure<'a>> = cells.filter_map(|cell| cell.failure()).collect();
         failures.sort_by_key(|failure| failure.undeclared.is_none());
+        let rows = failures.iter().flat_map(|failure| failure.shown());
         let mut left_bytes = MOST_BYTES;
         let mut names = HashSet::new();
-        for failure in &failures {
-            let name = failure.first.picture.as_str();
+        for row in rows {
+            let name = row.picture.as_str();
             let path = run.dir.join(FAILURES_DIR).join(name);
             // What cannot be read is reported where it is embedded.
             let bytes = path.metadata().map_or(0, |data| data.len());
@@ -52,20 +52,35 @@ impl<'a> Album<'a> {
     }
 }
 
-/// The first failure of the method in column `index`.
-pub(super) fn figure(
+/// The first failure of the method in column `index`, and its first undeclared one if that is another.
+pub(super) fn figures(
     run: &StressRun,
     line: &Line<'_>,
     index: usize,
     failure: &Failure<'_>,
     album: &Album<'_>,
 ) -> Result<Markup> {
-    let row = failure.first;
+    let figures = failure
+        .shown()
+        .map(|row| figure(run, line, index, row, album));
+    let figures: Vec<Markup> = figures.collect::<Result<_>>()?;
+    Ok(html! {
+        div id=(failure_id(line, index)) { @for figure in &figures { (figure) } }
+    })
+}
+
+fn figure(
+    run: &StressRun,
+    line: &Line<'_>,
+    index: usize,
+    row: &StressRow,
+    album: &Album<'_>,
+) -> Result<Markup> {
     let method = run.info.methods[index].name();
     let is_declared = row.outcome == Outcome::Declared;
     let picture = picture(run, line, row, &method, album)?;
     Ok(html! {
-        figure.failure id=(failure_id(line, index)) {
+        figure.failure {
             (picture)
             figcaption {
                 h4 { code { (method) } }
@@ -103,13 +118,10 @@ fn kinds(row: &StressRow) -> String {
 /// The command that draws the picture again, to be run in the directory of the run.
 fn command(run: &StressRun, row: &StressRow) -> String {
     let stem = file_name(&format!("{}_{}", row.cause, row.value));
-    let parts = [row.method.as_str(), row.variant.as_str()];
-    let method = parts.join(",");
+    let method = full_name(&row.method, &row.variant);
     format!(
         "svbench render {FAILURES_DIR}/{stem}.toml --method {} --size {}x{}",
-        method.trim_end_matches(','),
-        run.info.width,
-        run.info.height
+        method, run.info.width, run.info.height
     )
 }
 
