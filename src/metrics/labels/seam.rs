@@ -10,9 +10,10 @@ use crate::metrics::regions::Artifact;
 /// A region of more pixels is something else.
 const MOST_PX: usize = 2;
 
-/// An edge that leaves the picture is clipped, and its new ends are moved to the rasteriser's grid once more,
-/// for the surface as for each quad: so many steps apart they may come to lie.
-pub const SEAM_STEPS: f64 = 4.0;
+/// How far from the centre, in steps of the rasteriser's grid: a sixteenth of a pixel, which is as coarse as the
+/// grid may be in Vulkan. Clipped edges are moved to it once more, and a push back moves the quads of both
+/// triangles by amounts of their own.
+pub const SEAM_STEPS: f64 = 16.0;
 
 /// Whether all pixels of a region have such an edge at their centre.
 pub(super) fn is_seam(frame: &Frame<'_>, artifact: &Artifact) -> bool {
