@@ -97,7 +97,7 @@ pub enum ObjError {
     },
 }
 
-/// Loads a model: polygons become triangle fans, each object or group an [`Object`], and the
+/// Loads a model: polygons become triangle fans, each object or group an [`Part`], and the
 /// vertices of an object that are at the same place become one. Material files are not read.
 pub fn load(path: &Path, up: Up) -> Result<Mesh, ObjError> {
     let bytes = read(path)?;
