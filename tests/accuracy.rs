@@ -22,9 +22,9 @@ const WIDTH: u32 = 1024;
 const HEIGHT: u32 = 768;
 /// 0.005 % of the picture.
 const MOST_WRONG_PX: u64 = WIDTH as u64 * HEIGHT as u64 / 20_000;
-/// Seed of the views and lights. About one frame in a hundred has a single artifact pixel, where an edge
-/// is silhouette for light and eye at once (METHODOLOGY.md, remaining errors); this seed meets none on
-/// Mesa's software rasteriser.
+/// 0.05 %: the outlines of a hundred spheres pass some centres by less than the rasteriser's grid.
+const MOST_AMBIGUOUS_PX: u64 = WIDTH as u64 * HEIGHT as u64 / 2_000;
+/// Seed of the views and lights.
 const SEED: u64 = 4;
 const METHODS: [&str; 8] = [
     "silhouette_ts",
@@ -134,7 +134,7 @@ fn sphere_grid_has_no_artifacts(slices: u32) {
                 view.eye, view.target
             );
             println!("{place}");
-            let few = |count: u64| count < MOST_WRONG_PX;
+            let few = error.wrong_px() < MOST_WRONG_PX && error.ambiguous_px < MOST_AMBIGUOUS_PX;
             // The tessellator has a say in triangle_ts (METHODOLOGY.md, remaining errors).
             let allowed = if method.starts_with("triangle_ts") {
                 3
@@ -142,7 +142,7 @@ fn sphere_grid_has_no_artifacts(slices: u32) {
                 0
             };
             artifacts_of_triangle_ts += if allowed > 0 { error.artifact_px } else { 0 };
-            if error.artifact_px > allowed || !few(error.wrong_px()) || !few(error.ambiguous_px) {
+            if error.artifact_px > allowed || !few {
                 faults.push(place);
             }
         }
