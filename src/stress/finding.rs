@@ -52,11 +52,6 @@ impl Finding {
         }
     }
 
-    /// Whether the picture is wrong.
-    pub fn is_failure(self) -> bool {
-        !matches!(self, Self::Right)
-    }
-
     /// As it is written in results.
     pub fn word(self) -> &'static str {
         match self {

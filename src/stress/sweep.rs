@@ -30,8 +30,7 @@ pub struct StressRequest<'a> {
 
 /// Tries every value of every cause with every method; writes `stability.csv` row by row, and into the
 /// folder `failures` the picture and the scene of each method's first failure of a cause, and of its first
-/// undeclared one. Gives the rows,
-/// fewer if the user interrupted.
+/// undeclared one. Gives the rows, fewer if the user interrupted.
 ///
 /// # Errors
 /// When a file cannot be written or the device is lost.
