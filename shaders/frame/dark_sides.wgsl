@@ -6,22 +6,16 @@
 #include "shared/frame.wgsl"
 #include "shared/facing.wgsl"
 #include "shared/fullscreen.wgsl"
-
-@group(1) @binding(0) var<storage, read> positions: array<vec4<f32>>;
-@group(1) @binding(1) var<storage, read> indices: array<u32>;
-@group(2) @binding(0) var triangle_ids: texture_2d<u32>;
+#include "shared/visible_triangle.wgsl"
 
 @fragment
 fn dark_sides(@builtin(position) at: vec4<f32>) -> @location(0) vec4<f32> {
-    let id = textureLoad(triangle_ids, vec2<i32>(at.xy), 0).x;
+    let id = visible_id(at.xy);
     if id == 0u {
         return vec4<f32>(0.0);
     }
-    let first = 3u * (id - 1u);
-    let a = positions[indices[first]].xyz;
-    let b = positions[indices[first + 1u]].xyz;
-    let c = positions[indices[first + 2u]].xyz;
+    let t = triangle_of(id);
     // Eye and light on different sides of the triangle's plane.
-    let is_dark = facing(a, b, c, frame.light) * facing(a, b, c, frame.eye) < 0;
+    let is_dark = facing(t.a, t.b, t.c, frame.light) * facing(t.a, t.b, t.c, frame.eye) < 0;
     return vec4<f32>(select(0.0, 1.0, is_dark));
 }

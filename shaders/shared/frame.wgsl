@@ -21,6 +21,11 @@ fn is_background(depth: f32) -> bool {
     return depth == frame.picture.w;
 }
 
+// Depth in [0, 1] at a distance w before the eye.
+fn depth_at(w: f32) -> f32 {
+    return abs(frame.picture.w - frame.picture.z / w);
+}
+
 // World position of the surface at a pixel centre, from its depth in [0, 1].
 fn surface_position(pixel: vec2<f32>, depth: f32) -> vec3<f32> {
     let ndc = vec2<f32>(2.0 * pixel.x / frame.picture.x - 1.0, 1.0 - 2.0 * pixel.y / frame.picture.y);

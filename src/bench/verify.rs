@@ -14,6 +14,7 @@ use crate::reference::{
 use crate::scene::{Scene, View};
 use anyhow::Context;
 use glam::Vec4;
+use rayon::prelude::*;
 use std::rc::Rc;
 
 /// Draws single frames of one scene on one stage and judges their masks.
@@ -216,6 +217,30 @@ impl<'a> Verifier<'a> {
             at_seam: evidence.at_inner_edge(pixel, SEAM_STEPS),
         };
         Ok(pixels.iter().map(look).collect())
+    }
+
+    /// The pixels of a mask that are wrong although the truth is the same all around their centre, counted by
+    /// rows from the top: no tie excuses them, be they [ambiguous](Verdict::Ambiguous) or not.
+    ///
+    /// # Errors
+    /// When the view is no perspective.
+    pub fn hard_errors(&self, mask: &[u8], truth: &Truth) -> anyhow::Result<Vec<usize>> {
+        let probe = self.reference.surroundings(self.light, &truth.view)?;
+        let width = truth.mask.width;
+        let is_hard = |pixel: &usize| {
+            let is_shadowed = MaskComparison::is_shadowed(mask[*pixel]);
+            let verdict = truth.mask.verdicts[*pixel];
+            let differs = |verdict| is_shadowed != (verdict == Verdict::Shadowed);
+            (verdict == Verdict::Ambiguous || differs(verdict)) && {
+                let (x, y) = (*pixel as u32 % width, *pixel as u32 / width);
+                probe
+                    .drawn(x, y, truth.triangle_ids[*pixel])
+                    .is_some_and(differs)
+                    && probe.unanimous(x, y).is_some_and(differs)
+            }
+        };
+        let pixels = (0..mask.len()).into_par_iter();
+        Ok(pixels.filter(is_hard).collect())
     }
 
     /// Where the surface points seen at one view appear at another.

@@ -58,8 +58,8 @@ pub struct FullscreenDesc<'a> {
     pub fragment: &'a str,
     /// What it reads.
     pub layout: &'a wgpu::PipelineLayout,
-    /// What it writes.
-    pub format: wgpu::TextureFormat,
+    /// What it writes; `None` if that is depth alone.
+    pub format: Option<wgpu::TextureFormat>,
     /// Values of the module's `override`s.
     pub constants: &'a [(&'a str, f64)],
     /// How what it writes is put together with what is there.
@@ -80,7 +80,7 @@ impl<'a> FullscreenDesc<'a> {
             module,
             fragment,
             layout,
-            format,
+            format: Some(format),
             constants: &[],
             blend: None,
             depth_stencil: None,
@@ -90,10 +90,11 @@ impl<'a> FullscreenDesc<'a> {
 
 /// Builds the pipeline: `fullscreen` of shared/fullscreen.wgsl, then the fragment shader.
 pub fn pipeline(device: &wgpu::Device, desc: &FullscreenDesc<'_>) -> wgpu::RenderPipeline {
-    let target = wgpu::ColorTargetState {
+    let target = desc.format.map(|format| wgpu::ColorTargetState {
         blend: desc.blend,
-        ..desc.format.into()
-    };
+        ..format.into()
+    });
+    let targets = target.map(Some);
     device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
         label: Some(desc.fragment),
         layout: Some(desc.layout),
@@ -113,7 +114,7 @@ pub fn pipeline(device: &wgpu::Device, desc: &FullscreenDesc<'_>) -> wgpu::Rende
                 constants: desc.constants,
                 ..Default::default()
             },
-            targets: &[Some(target)],
+            targets: targets.as_slice(),
         }),
         multiview_mask: None,
         cache: None,

@@ -5,7 +5,6 @@
 //! method's stages (which add its shadows to the mask) and `shade` (the lit picture). The depth buffer is
 //! reversed, 1 at the near plane and 0 at infinity, unless a [`DepthSetup`] has it otherwise for study.
 
-mod dark_sides;
 mod depth;
 pub mod fullscreen;
 mod gbuffer;
@@ -15,8 +14,8 @@ mod shade;
 pub mod targets;
 mod uniform;
 mod view;
+mod visible_triangles;
 
-pub use dark_sides::DarkSides;
 pub use depth::{DepthFormat, DepthSetup};
 pub use gbuffer::GBuffer;
 pub use resolve::{RESOLVE_STAGE, StencilResolve};
@@ -25,6 +24,7 @@ pub use shade::Shade;
 pub use targets::Targets;
 pub use uniform::FrameUniform;
 pub use view::{FrameView, SceneExtents};
+pub use visible_triangles::VisibleTriangles;
 
 use crate::gpu::{FrameRecorder, Gpu, readback};
 use crate::methods::PreparedMethod;
@@ -51,7 +51,7 @@ pub struct Stage {
     pub depth: DepthSetup,
     view: Cell<Option<FrameView>>,
     gbuffer: GBuffer,
-    dark_sides: DarkSides,
+    visible_triangles: VisibleTriangles,
     shade: Shade,
 }
 
@@ -106,7 +106,7 @@ impl Stage {
         let targets = Targets::new(gpu, width, height, depth);
         let uniform = FrameUniform::new(gpu);
         let gbuffer = GBuffer::new(gpu, &uniform, depth);
-        let dark_sides = DarkSides::new(gpu, &uniform, &scene, &targets);
+        let visible_triangles = VisibleTriangles::new(gpu, &uniform, &scene, &targets);
         let shade = Shade::new(gpu, &uniform, &scene, &targets);
         Self {
             scene,
@@ -116,7 +116,7 @@ impl Stage {
             depth,
             view: Cell::new(None),
             gbuffer,
-            dark_sides,
+            visible_triangles,
             shade,
         }
     }
@@ -178,8 +178,10 @@ impl Stage {
         } = self;
         frame.stage(GBUFFER_STAGE, |encoder| {
             let draw_calls = self.gbuffer.record(encoder, uniform, scene, targets);
-            self.dark_sides.record(encoder, uniform, scene, targets);
-            draw_calls + 1
+            draw_calls
+                + self
+                    .visible_triangles
+                    .record(encoder, uniform, scene, targets)
         });
     }
 }

@@ -30,11 +30,11 @@ pub(super) static INFO: MethodInfo = MethodInfo {
 };
 
 /// Neighbouring triangles share a side quad, in opposite windings. Its two copies should cancel to the
-/// pixel, but the tessellator cuts them along different diagonals and orders their vertices differently, and
-/// they differ in the last bits of depth.
+/// pixel, but the tessellator cuts them along different diagonals, so that they differ in the last bits of depth.
 /// That decides pixels close to their near edge, on the surface that they start from, which they are never
-/// in front of: pushed back by a step of the rasteriser's grid, 1/256 pixel, both are mostly behind it.
-const PUSH_BACK_PX: f64 = 1.0 / 256.0;
+/// in front of: pushed back by so much, both are mostly behind it. More would move shadows of surfaces that the
+/// light grazes.
+const PUSH_BACK_PX: f64 = 1.0 / 8192.0;
 
 /// The method's parameters.
 #[derive(Debug, Clone, Serialize, Deserialize)]

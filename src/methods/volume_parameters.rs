@@ -70,7 +70,7 @@ pub(super) const PARAMETERS: &[Parameter] = &[
     ),
     (
         "push_back_px",
-        "0 (triangle_ts: 1/256)",
+        "0 (triangle_ts: 1/8192)",
         "what passes a depth test is pushed away by the change of its depth over so many pixels, -1 to 1",
     ),
     (

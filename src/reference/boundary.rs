@@ -103,11 +103,9 @@ impl<'a> BoundaryProbe<'a> {
             return Some(verdict);
         }
         let place_px = DVec2::new(i as f64 + 0.5, j as f64 + 0.5) / per_px as f64;
-        let seen = self.reference.visible(&self.projection, place_px);
-        let verdict = seen.map_or(Verdict::Background, |(own, point)| {
-            self.reference
-                .judge(own, point, self.projection.eye, self.light, &mut None)
-        });
+        let verdict = self
+            .reference
+            .verdict_at(&self.projection, place_px, self.light);
         slot.store(encode(verdict), Ordering::Relaxed);
         Some(verdict)
     }

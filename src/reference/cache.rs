@@ -9,7 +9,7 @@ use super::{ReferenceMask, ReferenceView, Verdict};
 
 /// Part of every key: raise it whenever a verdict may come out otherwise, so that masks traced by
 /// an older program are not found.
-const FORMAT_VERSION: u32 = 2;
+const FORMAT_VERSION: u32 = 3;
 
 /// Names a reference mask by all that it depends on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -3,17 +3,16 @@
 //! A rasteriser moves vertices to its grid. A pixel whose centre an edge passes as near as that may be
 //! drawn on either side of it, and a triangle may be drawn at a pixel whose centre lies beside it. Depth then
 //! comes from the plane beyond the edge, where the order of the surface and of a shadow volume that starts
-//! from that edge is turned round. Where the surface ends on such an edge, or a shadow volume starts from
-//! it, there is no telling what is right.
+//! from that edge is turned round. What is right there is what is right at every place that the grid could show.
 
 use glam::{DVec2, Vec3};
 
-use super::Reference;
 use super::contact::edge_volume;
 use super::segment::Light;
 use super::surface::meets_well_inside;
 use super::tree::Primitive;
 use super::view::Projection;
+use super::{Reference, Verdict};
 
 /// The step of the grid: eight bits below the pixel on every desktop GPU, as Direct3D asks for.
 const GRID_PX: f64 = 1.0 / 256.0;
@@ -36,6 +35,42 @@ impl Projection {
 }
 
 impl Reference {
+    /// The verdicts at those of eight places around a pixel's centre, one step of the grid away, that show the
+    /// surface of the triangle `own`: itself, a copy, or one that has a corner in common with it. What else is seen
+    /// there is not what the pixel shows.
+    pub(super) fn verdicts_around(
+        &self,
+        projection: &Projection,
+        centre_px: DVec2,
+        own: &Primitive,
+        light: Light,
+    ) -> impl Iterator<Item = Verdict> {
+        let steps = (-1..=1).flat_map(|y| (-1..=1).map(move |x| (f64::from(x), f64::from(y))));
+        let around = steps.filter(|step| *step != (0.0, 0.0));
+        around.filter_map(move |(x, y)| {
+            let place_px = centre_px + GRID_PX * DVec2::new(x, y);
+            let (next, point) = self.visible(projection, place_px)?;
+            let is_connected = next
+                .corners
+                .iter()
+                .any(|corner| own.corners.contains(corner));
+            is_connected.then(|| self.judge(next, point, projection.eye, light, &mut None))
+        })
+    }
+
+    /// The verdict for the surface that is seen at a place in the picture.
+    pub(super) fn verdict_at(
+        &self,
+        projection: &Projection,
+        place_px: DVec2,
+        light: Light,
+    ) -> Verdict {
+        let seen = self.visible(projection, place_px);
+        seen.map_or(Verdict::Background, |(own, point)| {
+            self.judge(own, point, projection.eye, light, &mut None)
+        })
+    }
+
     /// Whether the surface goes on all around a pixel's centre close to an edge of the triangle `own`, for
     /// so many steps of the grid: in `own` itself, in a copy of it, or across an edge from which no shadow
     /// volume starts. Near a corner, where a triangle that meets `own` in no edge may be next, it is taken

@@ -13,6 +13,7 @@
 //! single pixel, [`Motion`] where the points of one picture appear in another, and
 //! [`ReferenceCache`] what is kept on disk between runs.
 
+mod around;
 mod boundary;
 mod cache;
 mod contact;
@@ -31,6 +32,7 @@ pub(crate) mod fixtures;
 #[cfg(test)]
 mod tests;
 
+pub use around::SurroundingsProbe;
 pub use boundary::BoundaryProbe;
 pub use cache::{CacheKey, ReferenceCache};
 pub use evidence::{Evidence, EvidenceProbe};

@@ -15,6 +15,12 @@ pub struct Reference {
     pub(super) tree: Tree,
 }
 
+/// A pixel and the triangle that it shows.
+struct Pixel<'a> {
+    own: &'a Primitive,
+    centre_px: DVec2,
+}
+
 /// The last triangle found blocking: the next ray's first candidate, as neighbours mostly share it.
 pub(super) type LastBlocker = Option<u32>;
 
@@ -81,22 +87,37 @@ impl Reference {
                 };
                 let own = self.tree.primitive(triangle);
                 let centre_px = DVec2::new(x as f64 + 0.5, y as f64 + 0.5);
-                let Some(point) = point_seen(&projection, centre_px, &own.corners, self.tree.scale)
-                else {
-                    *verdict = Verdict::Ambiguous;
-                    continue;
-                };
-                // A pixel that the rasteriser's grid decides has no truth.
-                let is_of_grid = projection.at_an_edge(centre_px, &own.corners, 1.0)
-                    && !self.goes_on(&projection, centre_px, own, light, 1.0);
-                *verdict = if is_of_grid {
-                    Verdict::Ambiguous
-                } else {
-                    self.judge(own, point, projection.eye, light, &mut last_blocker)
-                };
+                let pixel = Pixel { own, centre_px };
+                *verdict = self.judge_pixel(&projection, light, &pixel, &mut last_blocker);
             }
         });
         ReferenceMask::new(view.width, view.height, verdicts)
+    }
+
+    /// The verdict for a pixel that shows `own`. Where the rasteriser's grid could show another place of that
+    /// surface, and the verdict would differ there, there is no telling what is right.
+    fn judge_pixel(
+        &self,
+        projection: &Projection,
+        light: Light,
+        pixel: &Pixel<'_>,
+        last_blocker: &mut LastBlocker,
+    ) -> Verdict {
+        let Pixel { own, centre_px } = *pixel;
+        let Some(point) = point_seen(projection, centre_px, &own.corners, self.tree.scale) else {
+            return Verdict::Ambiguous;
+        };
+        let verdict = self.judge(own, point, projection.eye, light, last_blocker);
+        if !projection.at_an_edge(centre_px, &own.corners, 1.0)
+            || self.is_dark_side(own, point, projection.eye, light)
+        {
+            return verdict;
+        }
+        let mut around = self.verdicts_around(projection, centre_px, own, light);
+        match around.any(|other| other != verdict) {
+            true => Verdict::Ambiguous,
+            false => verdict,
+        }
     }
 
     /// The triangle ids that an exact rasteriser would draw, in the form that [`Self::trace`]
@@ -154,16 +175,29 @@ impl Reference {
         light: Light,
         last_blocker: &mut LastBlocker,
     ) -> Verdict {
-        let Some(plane) = Plane::new(&own.corners) else {
-            return Verdict::Ambiguous;
-        };
         let segment = Segment::new(point, light, self.tree.scale);
-        let eye_tolerance = RELATIVE_TOLERANCE * self.tree.scale.max(eye.distance(point));
-        match (plane.side(eye, eye_tolerance), segment.light_side(&plane)) {
+        match self.sides(own, &segment, eye) {
             (0, _) | (_, 0) => Verdict::Ambiguous,
             (eye_side, light_side) if eye_side != light_side => Verdict::Shadowed,
             _ => self.occlusion(own, &segment, last_blocker),
         }
+    }
+
+    /// Whether eye and light are on different sides of the triangle `own`, which is dark wherever it is seen then.
+    fn is_dark_side(&self, own: &Primitive, point: DVec3, eye: DVec3, light: Light) -> bool {
+        let segment = Segment::new(point, light, self.tree.scale);
+        let (eye_side, light_side) = self.sides(own, &segment, eye);
+        eye_side * light_side < 0
+    }
+
+    /// The sides of a triangle's plane on which eye and light lie; 0 where that cannot be told, or there is no
+    /// plane.
+    fn sides(&self, own: &Primitive, segment: &Segment, eye: DVec3) -> (i8, i8) {
+        let Some(plane) = Plane::new(&own.corners) else {
+            return (0, 0);
+        };
+        let tolerance = RELATIVE_TOLERANCE * self.tree.scale.max(eye.distance(segment.start));
+        (plane.side(eye, tolerance), segment.light_side(&plane))
     }
 
     /// Whether another triangle blocks the segment from a point of `own` that faces the light.

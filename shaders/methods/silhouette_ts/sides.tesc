@@ -23,6 +23,6 @@ void main() {
     gl_TessLevelOuter[3] = along;
     gl_TessLevelInner[0] = along;
     // The paper's 1 becomes 2 in the tessellator as soon as another level is above 1. Asking for 2 gives
-    // a middle row to every patch, which the evaluation shader cuts all quads along one diagonal with.
+    // a middle row to every patch, by which the evaluation shader has a say in how quads are cut.
     gl_TessLevelInner[1] = 2.0;
 }
