@@ -3,6 +3,7 @@
 
 mod bias_search;
 mod cell;
+mod fault;
 mod measure;
 mod observer;
 pub mod provenance;
@@ -14,6 +15,7 @@ pub mod statistics;
 pub mod verify;
 mod verify_cells;
 
+pub(crate) use fault::in_one_line;
 pub use observer::Observer;
 pub use run_dir::new_directory;
 pub use runner::{RunRequest, run};

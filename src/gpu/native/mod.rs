@@ -12,6 +12,7 @@
 
 mod bindings;
 mod geometry;
+mod memory;
 mod open;
 mod pass;
 mod pipeline;
@@ -19,6 +20,7 @@ mod target;
 
 pub use bindings::{BindingKind, Bindings};
 pub use geometry::IndexedGeometry;
+pub use memory::{free_heap_bytes, most_bytes_at_once};
 pub use open::{Opened, StageSupport, open, support};
 pub use pass::NativePass;
 pub use pipeline::{Pipeline, PipelineDesc, PrimitiveTopology, Raster, VertexInput};
@@ -48,5 +50,5 @@ fn raw_device(device: &wgpu::Device) -> Result<ash::Device, NativeError> {
 /// Waits until nothing that was submitted is running any more, so that objects may be destroyed.
 fn wait_idle(device: &wgpu::Device) {
     // A lost device runs nothing either.
-    let _ = device.poll(wgpu::PollType::wait_indefinitely());
+    let _ = super::fault::poll(device, wgpu::PollType::wait_indefinitely());
 }
