@@ -52,7 +52,9 @@ pub(crate) fn available_bytes() -> Option<u64> {
         Some(max.saturating_sub(used))
     });
     let own = read("/proc/self/limits").and_then(|limits| {
-        let line = limits.lines().find(|l| l.starts_with("Max address space"))?;
+        let line = limits
+            .lines()
+            .find(|l| l.starts_with("Max address space"))?;
         let most: u64 = line.split_whitespace().nth(3)?.parse().ok()?;
         let used = kib(&read("/proc/self/status")?, "VmSize:")?;
         Some(most.saturating_sub(used))

@@ -37,7 +37,10 @@ fn draw(gpu: &Gpu, scene: &Scene, method: &str, time_s: f64) -> Drawn {
     let method = parse_method(method).unwrap();
     let depth = method.depth_setup();
     depth.check(gpu).unwrap();
-    let stage = Stage::new(gpu, scene, SIZE_PX.0, SIZE_PX.1).unwrap().with_depth(gpu, depth).unwrap();
+    let stage = Stage::new(gpu, scene, SIZE_PX.0, SIZE_PX.1)
+        .unwrap()
+        .with_depth(gpu, depth)
+        .unwrap();
     let context = PrepareContext::new(gpu, scene, &stage);
     let prepared = method.prepare(&context).unwrap();
     let cache = ReferenceCache::open(None);

@@ -50,11 +50,7 @@ pub(super) fn name_cell(
 }
 
 impl<'a> CellRun<'a> {
-    pub(super) fn new(
-        plan: &'a MethodPlan,
-        scene: &Scene,
-        size_px: (u32, u32),
-    ) -> Self {
+    pub(super) fn new(plan: &'a MethodPlan, scene: &Scene, size_px: (u32, u32)) -> Self {
         Self {
             plan,
             cell: Cell {

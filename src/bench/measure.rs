@@ -125,19 +125,24 @@ struct Flight<'a, 'b> {
 impl Flight<'_, '_> {
     /// Draws one frame, unless its cell has broken before.
     fn draw(&mut self, stage: &Stage, tag: Tag) -> Result<(), RunDirError> {
+        // First, lest what has come to its end gets lost if this frame breaks.
+        match self.timer.make_room(self.gpu) {
+            Ok(done) => done.map_or(Ok(()), |done| self.keep(done))?,
+            Err(error) => {
+                self.end(tag, &error);
+                return Ok(());
+            }
+        }
         let Some(prepared) = self.cells[tag.cell].prepared() else {
             return Ok(());
         };
         let drawn = self.timer.frame(self.gpu, tag, |recorder| {
             stage.record(recorder, prepared);
         });
-        match drawn {
-            Ok(done) => done.map_or(Ok(()), |done| self.keep(done)),
-            Err(error) => {
-                self.end(tag, &error);
-                Ok(())
-            }
+        if let Err(error) = drawn {
+            self.end(tag, &error);
         }
+        Ok(())
     }
 
     /// Waits for what is under way.

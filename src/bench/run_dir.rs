@@ -3,11 +3,11 @@
 //! `samples.csv`, `errors.csv`, `regions.csv` and `bias.csv` grow row by row, each flushed as it comes, so that a run that dies keeps what it
 //! has. Everything else is written to a temporary file and renamed: a file that is there is whole.
 
+use super::fault::RunDirError;
 use super::record::{
     BIAS_FILE, BiasRow, ERRORS_FILE, FrameError, IMAGES_DIR, ImageKind, REGIONS_FILE, RUN_FILE,
     RegionRow, RunInfo, SAMPLES_FILE, SUMMARY_FILE, Sample, Summary, image_name,
 };
-use super::fault::RunDirError;
 use anyhow::{Context, bail};
 use serde::Serialize;
 use std::fs::File;

@@ -9,10 +9,11 @@ use super::verify::Truth;
 use super::verify_cells::verify_cells;
 use super::{RunRequest, Verifier, bias_search};
 use crate::config::{MethodPlan, ScenePlan};
-use crate::frame::Stage;
+use crate::frame::{SceneBuffers, Stage};
 use crate::gpu::Gpu;
 use crate::methods::{self, BiasSearch, MethodError, PrepareContext};
 use crate::scene::camera::FrameError;
+use crate::scene::file::MeshSource;
 use crate::scene::{Scene, SceneError};
 use anyhow::Context;
 use std::rc::Rc;
@@ -36,11 +37,11 @@ pub(super) fn run_scene(
     request
         .observer
         .phase(&format!("{}: loading", plan.file.name));
-    let scene = match plan.file.load(&plan.search) {
+    let scene = match load(gpu, plan) {
         Ok(scene) => scene,
         Err(error) => {
             request.observer.advance(request.plan.steps_per_scene());
-            return Ok(not_loaded(request, plan, error));
+            return Ok(not_loaded(request, plan, &error));
         }
     };
     let mut run = SceneRun::new(request, &scene);
@@ -54,13 +55,21 @@ pub(super) fn run_scene(
     Ok(run.outcome())
 }
 
-fn not_loaded(request: &RunRequest<'_>, plan: &ScenePlan, error: SceneError) -> SceneOutcome {
-    let status = match error {
-        SceneError::MissingModel { .. } => Status::Skipped,
+fn load(gpu: &Gpu, plan: &ScenePlan) -> anyhow::Result<Scene> {
+    // A grid that the device cannot take need not be built first.
+    if let MeshSource::SphereGrid(grid) = &plan.file.mesh {
+        SceneBuffers::check(gpu, grid.triangle_count())?;
+    }
+    Ok(plan.file.load(&plan.search)?)
+}
+
+fn not_loaded(request: &RunRequest<'_>, plan: &ScenePlan, error: &anyhow::Error) -> SceneOutcome {
+    let status = match error.downcast_ref() {
+        Some(SceneError::MissingModel { .. }) => Status::Skipped,
         _ => Status::Failed,
     };
     // With its causes: a scene's own error may not say which line of its model is at fault.
-    let reason = in_one_line(&error.into());
+    let reason = in_one_line(error);
     let summary = |method: &MethodPlan| {
         let size_px = request.plan.size_px;
         let cell = name_cell(&plan.file.name, method.method.as_ref(), size_px);
@@ -91,7 +100,11 @@ fn check_views(request: &RunRequest<'_>, scene: &Scene) -> Result<(), FrameError
     let (plan, camera) = (request.plan, &scene.camera);
     let measured_s = camera.frame_times(plan.frames as usize);
     let mut verified_s = plan.verified_times(camera);
-    if plan.methods.iter().any(|plan| plan.method.bias_search().is_some()) {
+    if plan
+        .methods
+        .iter()
+        .any(|plan| plan.method.bias_search().is_some())
+    {
         verified_s.extend(bias_search::times(plan, camera));
     }
     camera.check_times(measured_s.into_iter().chain(verified_s))
@@ -144,7 +157,8 @@ impl<'a> SceneRun<'a> {
             let Some(loss) = gpu.lost() else {
                 return Ok(());
             };
-            self.warnings.push(format!("{}: {loss}; it was opened again", self.scene.name));
+            self.warnings
+                .push(format!("{}: {loss}; it was opened again", self.scene.name));
             self.cells.iter_mut().for_each(CellRun::forget_device);
             // Without an end to blame on a cell, this would go on for ever.
             if self.open_cells() == open {
@@ -267,7 +281,9 @@ impl Preparation<'_> {
             None => {
                 let reason = match setup.check(self.context.gpu) {
                     Err(reason) => reason,
-                    Ok(()) => unreachable!("there is a stage for each setup that the device can draw"),
+                    Ok(()) => {
+                        unreachable!("there is a stage for each setup that the device can draw")
+                    }
                 };
                 run.end(Status::Unavailable, reason);
             }
@@ -308,7 +324,10 @@ impl Preparation<'_> {
             }
         }
         if let (Some(bias), true) = (run.bias, run.is_open()) {
-            run.ready(methods::prepare((search.with_bias)(bias).as_ref(), &context));
+            run.ready(methods::prepare(
+                (search.with_bias)(bias).as_ref(),
+                &context,
+            ));
         }
         Ok(())
     }
@@ -350,11 +369,7 @@ fn edges(context: &PrepareContext<'_>) -> Option<EdgeRecord> {
     })
 }
 
-fn scene_record(
-    scene: &Scene,
-    edges: Option<EdgeRecord>,
-    failure: Option<String>,
-) -> SceneRecord {
+fn scene_record(scene: &Scene, edges: Option<EdgeRecord>, failure: Option<String>) -> SceneRecord {
     SceneRecord {
         name: scene.name.clone(),
         title: scene.title.clone(),

@@ -114,7 +114,7 @@ impl<'a> Verifier<'a> {
         let camera = *view;
         let (width, height) = (self.stage.targets.width, self.stage.targets.height);
         memory::check(TRUTH_BYTES_PER_PIXEL * u64::from(width) * u64::from(height))
-            .with_context(|| format!("the truth of {width} × {height} pixels"))?;
+            .with_context(|| format!("the truth of {width} × {height} pixels is too large"))?;
         let FrameView {
             view_projection, ..
         } = self.stage.set_view(self.gpu, view, self.light);

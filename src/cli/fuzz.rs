@@ -160,7 +160,9 @@ fn table(methods: &[Box<dyn ShadowMethod>], tallies: &[Tally]) -> String {
         }
         if let Some(failure) = &tally.failure {
             let failed = tally.failed;
-            text.push_str(&format!("          {failed} not drawn, the last: {failure}\n"));
+            text.push_str(&format!(
+                "          {failed} not drawn, the last: {failure}\n"
+            ));
         }
     }
     text

@@ -20,7 +20,12 @@ impl DarkSides {
     ) -> Self {
         let device = &gpu.device;
         let ids = [texture_binding(wgpu::TextureSampleType::Uint)];
-        let input_layout = bind_group_layout(device, "dark sides inputs", wgpu::ShaderStages::FRAGMENT, &ids);
+        let input_layout = bind_group_layout(
+            device,
+            "dark sides inputs",
+            wgpu::ShaderStages::FRAGMENT,
+            &ids,
+        );
         let ids = wgpu::BindingResource::TextureView(&targets.triangle_ids_view);
         let inputs = bind_group(device, &input_layout, &[ids]);
         let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {

@@ -21,6 +21,13 @@ pub struct SceneBuffers {
     pub casters: Vec<Range<u32>>,
 }
 
+/// Three indices.
+const TRIANGLE_BYTES: u64 = 12;
+
+fn indices_name(triangles: u64) -> String {
+    format!("the indices of {triangles} triangles")
+}
+
 impl SceneBuffers {
     /// Bytes from one vertex to the next: xyz and a 1, so that storage buffers can read `vec4`.
     pub const VERTEX_STRIDE: u64 = 16;
@@ -30,15 +37,13 @@ impl SceneBuffers {
     /// # Errors
     /// When it is larger than the device can hold, or bind for shaders.
     pub fn new(gpu: &Gpu, mesh: &Mesh) -> Result<Self, DeviceError> {
-        let (vertices, triangles) = (mesh.positions.len(), mesh.triangles.len());
-        let (vertices_name, triangles_name) = (
-            format!("the positions of {vertices} vertices"),
-            format!("the indices of {triangles} triangles"),
-        );
+        let vertices = mesh.positions.len() as u64;
+        let triangles = mesh.triangles.len() as u64;
+        let vertices_name = format!("the positions of {vertices} vertices");
         // Both are looked at before anything is copied.
         let storage = wgpu::BufferUsages::STORAGE;
-        gpu.check_buffer(&triangles_name, size_of_val(&*mesh.triangles) as u64, storage)?;
-        gpu.check_buffer(&vertices_name, Self::VERTEX_STRIDE * vertices as u64, storage)?;
+        Self::check(gpu, triangles)?;
+        gpu.check_buffer(&vertices_name, Self::VERTEX_STRIDE * vertices, storage)?;
         let positions: Vec<_> = mesh.positions.iter().map(|p| p.extend(1.0)).collect();
         let positions = gpu.buffer(
             &vertices_name,
@@ -46,7 +51,7 @@ impl SceneBuffers {
             storage | wgpu::BufferUsages::VERTEX,
         )?;
         let indices = gpu.buffer(
-            &triangles_name,
+            &indices_name(triangles),
             bytemuck::cast_slice(&mesh.triangles),
             storage | wgpu::BufferUsages::INDEX,
         )?;
@@ -74,6 +79,15 @@ impl SceneBuffers {
                 .map(|object| object.triangles.clone())
                 .collect(),
         })
+    }
+
+    /// Whether the device can take so many triangles, for meshes that are not there yet.
+    ///
+    /// # Errors
+    /// When it cannot.
+    pub fn check(gpu: &Gpu, triangles: u64) -> Result<(), DeviceError> {
+        let bytes = TRIANGLE_BYTES.saturating_mul(triangles);
+        gpu.check_buffer(&indices_name(triangles), bytes, wgpu::BufferUsages::STORAGE)
     }
 
     /// Layout of the positions as a vertex buffer, at shader location 0.

@@ -41,12 +41,7 @@ impl Targets {
     ///
     /// # Errors
     /// When the device cannot hold them.
-    pub fn new(
-        gpu: &Gpu,
-        width: u32,
-        height: u32,
-        depth: DepthSetup,
-    ) -> Result<Self, DeviceError> {
+    pub fn new(gpu: &Gpu, width: u32, height: u32, depth: DepthSetup) -> Result<Self, DeviceError> {
         let texture = |label, format, usage| {
             gpu.texture(&wgpu::TextureDescriptor {
                 label: Some(label),
@@ -66,7 +61,11 @@ impl Targets {
         let read = wgpu::TextureUsages::COPY_SRC;
         let sample = wgpu::TextureUsages::TEXTURE_BINDING;
         let depth = texture("a depth buffer", depth.texture_format(gpu), read | sample)?;
-        let triangle_ids = texture("a picture of triangle numbers", TRIANGLE_ID_FORMAT, read | sample)?;
+        let triangle_ids = texture(
+            "a picture of triangle numbers",
+            TRIANGLE_ID_FORMAT,
+            read | sample,
+        )?;
         let write = wgpu::TextureUsages::COPY_DST;
         let mask = texture("a shadow mask", MASK_FORMAT, read | sample | write)?;
         let colour = texture("a picture", COLOUR_FORMAT, read)?;

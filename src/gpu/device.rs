@@ -228,11 +228,17 @@ impl Gpu {
             return Err(lost.into());
         }
         let result = work();
-        if result.is_err() {
-            // The device may be gone and not have said so yet; if it cannot, `result` stands.
-            let _ = poll(&self.device, wgpu::PollType::Poll);
+        let fault = self.faults.take();
+        if result.is_ok() && fault.is_none() {
+            return result;
         }
-        match self.faults.take() {
+        // The device may be gone and not have said so yet.
+        let polled = poll(&self.device, wgpu::PollType::Poll);
+        let lost = self.lost();
+        if lost.is_some() {
+            native::settle(&self.device);
+        }
+        match lost.or(fault).or(polled.err()) {
             Some(fault) => Err(fault.into()),
             None => result,
         }

@@ -152,7 +152,10 @@ mod tests {
         faults.lose("gone");
         faults.lose("");
         let lost = Some(DeviceError::Lost("gone".to_owned()));
-        assert_eq!([faults.take(), faults.take(), faults.lost()], [lost.clone(), lost.clone(), lost]);
+        assert_eq!(
+            [faults.take(), faults.take(), faults.lost()],
+            [lost.clone(), lost.clone(), lost]
+        );
     }
 
     #[test]

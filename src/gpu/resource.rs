@@ -72,17 +72,23 @@ impl Gpu {
         &self,
         desc: &wgpu::TextureDescriptor<'_>,
     ) -> Result<wgpu::Texture, DeviceError> {
-        let label = desc.label.unwrap_or("texture");
         let limits = self.device.limits();
-        let (side, layers) = (limits.max_texture_dimension_2d, limits.max_texture_array_layers);
+        let (side, layers) = (
+            limits.max_texture_dimension_2d,
+            limits.max_texture_array_layers,
+        );
         let wgpu::Extent3d {
             width,
             height,
             depth_or_array_layers,
         } = desc.size;
+        let name = format!(
+            "{} of {width} × {height}",
+            desc.label.unwrap_or("a texture")
+        );
         if width.max(height) > side || depth_or_array_layers > layers {
             return Err(DeviceError::TooLarge(format!(
-                "{label} of {width} × {height} is larger than this device allows ({side} × {side})"
+                "{name} is larger than this device allows ({side} × {side})"
             )));
         }
         let bytes = texture_bytes(desc);
@@ -90,10 +96,10 @@ impl Gpu {
         if bytes > most {
             let (bytes, most) = (size_text(bytes), size_text(most));
             return Err(DeviceError::TooLarge(format!(
-                "{label} of {width} × {height} takes {bytes}, and this device gives {most} at once"
+                "{name} takes {bytes}, and this device gives {most} at once"
             )));
         }
-        self.check_memory(label, bytes)?;
+        self.check_memory(&name, bytes)?;
         self.attempt(|| Ok(self.device.create_texture(desc)))
     }
 
@@ -107,7 +113,7 @@ impl Gpu {
         }
         let free = |available: u64| {
             memory::check_against(bytes, available)
-                .map_err(|error| DeviceError::TooLarge(format!("{label}: {error}")))
+                .map_err(|error| DeviceError::TooLarge(format!("{label} {error}")))
         };
         if let Some(heap) = native::free_heap_bytes(&self.device) {
             free(heap)?;
@@ -118,9 +124,16 @@ impl Gpu {
         // What was made but not drawn into yet takes no memory so far.
         let made = self.device.generate_allocator_report();
         let made = made.map_or(0, |report| report.total_allocated_bytes);
-        let at_opening = self.memory.host_at_opening.map(|at| at.saturating_sub(made));
+        let at_opening = self
+            .memory
+            .host_at_opening
+            .map(|at| at.saturating_sub(made));
         let now = memory::available_bytes();
-        [at_opening, now].into_iter().flatten().min().map_or(Ok(()), free)
+        [at_opening, now]
+            .into_iter()
+            .flatten()
+            .min()
+            .map_or(Ok(()), free)
     }
 }
 

@@ -125,37 +125,46 @@ impl<T> FrameTimer<T> {
         tag: T,
         record: impl FnOnce(&mut FrameRecorder<'_>),
     ) -> anyhow::Result<Option<(T, StageTimes)>> {
-        let done = match self.pending.len() {
-            FRAMES_IN_FLIGHT => self.finish_one(gpu)?,
-            _ => None,
-        };
+        let done = self.make_room(gpu)?;
         let slot = match self.free.pop() {
             Some(slot) => slot,
             None => gpu.attempt(|| Ok::<_, anyhow::Error>(Slot::new(&gpu.device)))?,
         };
-        let begin = Instant::now();
-        let frame = gpu.attempt(|| {
+        let pending = gpu.attempt(|| {
+            let begin = Instant::now();
             let mut recorder = FrameRecorder::new(gpu, Some(&slot));
             record(&mut recorder);
-            Ok::<_, anyhow::Error>(recorder.submit_timed())
+            let frame = recorder.submit_timed();
+            let cpu_ms = begin.elapsed().as_secs_f64() * 1e3;
+            let record_ms = (frame.recorded - begin).as_secs_f64() * 1e3;
+            let (sender, mapped) = std::sync::mpsc::channel();
+            slot.readable
+                .map_async(wgpu::MapMode::Read, .., move |result| {
+                    // Nobody listens any more if the run was given up.
+                    let _ = sender.send(result);
+                });
+            Ok::<_, anyhow::Error>(Pending {
+                tag,
+                slot,
+                frame,
+                record_ms,
+                cpu_ms,
+                mapped,
+            })
         })?;
-        let cpu_ms = begin.elapsed().as_secs_f64() * 1e3;
-        let record_ms = (frame.recorded - begin).as_secs_f64() * 1e3;
-        let (sender, mapped) = std::sync::mpsc::channel();
-        slot.readable
-            .map_async(wgpu::MapMode::Read, .., move |result| {
-                // Nobody listens any more if the run was given up.
-                let _ = sender.send(result);
-            });
-        self.pending.push_back(Pending {
-            tag,
-            slot,
-            frame,
-            record_ms,
-            cpu_ms,
-            mapped,
-        });
+        self.pending.push_back(pending);
         Ok(done)
+    }
+
+    /// Waits for the oldest frame if the limit of frames in flight is reached, so that [`Self::frame`] need not.
+    ///
+    /// # Errors
+    /// When the device is lost.
+    pub fn make_room(&mut self, gpu: &Gpu) -> anyhow::Result<Option<(T, StageTimes)>> {
+        match self.pending.len() {
+            FRAMES_IN_FLIGHT => self.finish_one(gpu),
+            _ => Ok(None),
+        }
     }
 
     /// Waits for all frames under way.
@@ -190,7 +199,10 @@ impl<T> FrameTimer<T> {
             timeout: None,
         };
         poll(&gpu.device, wait)?;
-        oldest.mapped.try_recv().context("a frame's times got lost")??;
+        oldest
+            .mapped
+            .try_recv()
+            .context("a frame's times got lost")??;
         let Some(Pending {
             tag,
             slot,

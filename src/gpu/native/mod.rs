@@ -47,6 +47,16 @@ fn raw_device(device: &wgpu::Device) -> Result<ash::Device, NativeError> {
     Ok(hal.raw_device().clone())
 }
 
+/// Waits for a device that was lost to come to rest: some drivers go on for a while with what they were given,
+/// and nothing may be destroyed under them.
+pub fn settle(device: &wgpu::Device) {
+    if let Ok(raw) = raw_device(device) {
+        // SAFETY: the handle is borrowed from `device`, and this thread is the only one that submits. That the
+        // device is lost is known, so the result says nothing.
+        let _ = unsafe { raw.device_wait_idle() };
+    }
+}
+
 /// Waits until nothing that was submitted is running any more, so that objects may be destroyed.
 fn wait_idle(device: &wgpu::Device) {
     // A lost device runs nothing either.

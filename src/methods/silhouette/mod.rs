@@ -146,7 +146,10 @@ impl<S: SideStage> Silhouette<S> {
         };
         let buffers = vec![
             buffer("the edges", bytemuck::cast_slice(&edges.edges))?,
-            buffer("the opposite vertices", bytemuck::cast_slice(&edges.opposites))?,
+            buffer(
+                "the opposite vertices",
+                bytemuck::cast_slice(&edges.opposites),
+            )?,
         ];
         // Room for exactly what this scene can need: a larger output slows a geometry stage down.
         let defines = parameters.defines(&[("MAX_MULTIPLICITY", edges.most_opposites())]);
