@@ -46,10 +46,13 @@ pub(crate) fn check_against(needed_bytes: u64, available: u64) -> Result<(), Not
 pub(crate) fn available_bytes() -> Option<u64> {
     let read = |path: &str| std::fs::read_to_string(path).ok();
     let machine = read("/proc/meminfo").and_then(|text| kib(&text, "MemAvailable:"));
-    let group = read("/sys/fs/cgroup/memory.max").and_then(|max| {
-        let used: u64 = read("/sys/fs/cgroup/memory.current")?.trim().parse().ok()?;
-        let max: u64 = max.trim().parse().ok()?;
-        Some(max.saturating_sub(used))
+    let group = read("/proc/self/cgroup").and_then(|groups| {
+        let path = groups.lines().find_map(|line| line.strip_prefix("0::"))?;
+        let read = |name| read(&format!("/sys/fs/cgroup/{path}/{name}"));
+        let max: u64 = read("memory.max")?.trim().parse().ok()?;
+        let used: u64 = read("memory.current")?.trim().parse().ok()?;
+        let files = read("memory.stat").map_or(0, |stat| cached_bytes(&stat));
+        Some(max.saturating_sub(used.saturating_sub(files)))
     });
     let own = read("/proc/self/limits").and_then(|limits| {
         let line = limits
@@ -60,6 +63,15 @@ pub(crate) fn available_bytes() -> Option<u64> {
         Some(most.saturating_sub(used))
     });
     [machine, group, own].into_iter().flatten().min()
+}
+
+/// What of a group's memory holds copies of files, and is given up when somebody needs it.
+fn cached_bytes(stat: &str) -> u64 {
+    let numbers = stat.lines().filter_map(|line| line.split_once(' '));
+    let files = numbers.filter(|(name, _)| ["active_file", "inactive_file"].contains(name));
+    files
+        .filter_map(|(_, bytes)| bytes.parse::<u64>().ok())
+        .sum()
 }
 
 /// The number of kibibytes behind `name` in a file of the kernel's, in bytes.
@@ -88,6 +100,8 @@ mod tests {
         let text = "MemTotal:       24601324 kB\nMemAvailable:   2048 kB\n";
         assert_eq!(kib(text, "MemAvailable:"), Some(2 << 20));
         assert_eq!(kib(text, "SwapFree:"), None);
+        let stat = "anon 7\nfile 9\ninactive_file 4\nactive_file 2\n";
+        assert_eq!(cached_bytes(stat), 6);
     }
 
     #[test]

@@ -1,5 +1,6 @@
 //! A method on a scene: one cell of a run's matrix, measured or on the way to it.
 
+use super::fault::in_one_line;
 use super::measure::Measured;
 use super::record::{
     Cell, FrameError, MethodRecord, Sample, Status, Summary, SweepRecord, pairs_to_text,
@@ -92,7 +93,7 @@ impl<'a> CellRun<'a> {
             Err(error @ MethodError::Unavailable(_)) => {
                 self.end(Status::Unavailable, error.to_string());
             }
-            Err(error) => self.fail(&error.to_string()),
+            Err(error) => self.fail(&in_one_line(&error.into())),
         }
     }
 

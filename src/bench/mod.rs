@@ -6,6 +6,7 @@ mod cell;
 mod fault;
 mod measure;
 mod observer;
+mod preparation;
 pub mod provenance;
 pub mod record;
 mod run_dir;

@@ -109,8 +109,9 @@ impl<'a> Verifier<'a> {
     /// The truth at `view`, from the cache or traced.
     ///
     /// # Errors
-    /// When the device is lost, or the view is no perspective.
+    /// When the device is lost, memory is short, or there is no picture from that view.
     pub fn truth(&self, view: &View) -> anyhow::Result<Truth> {
+        view.validate().context("camera")?;
         let camera = *view;
         let (width, height) = (self.stage.targets.width, self.stage.targets.height);
         memory::check(TRUTH_BYTES_PER_PIXEL * u64::from(width) * u64::from(height))

@@ -112,6 +112,8 @@ impl<'a> FrameRecorder<'a> {
         let recorded = Instant::now();
         if loss::is_due() {
             self.gpu.device.destroy();
+            // wgpu tells of it once nothing is under way any more.
+            self.gpu.wait_idle();
         }
         Submitted {
             stages: self.stages,

@@ -278,7 +278,7 @@ fn commands_of_single_pictures_say_that_the_device_was_lost() {
 /// A scene file with a triangle over another, seen on a flight.
 fn scene(model: &str, keys: &str) -> String {
     format!(
-        "title = \"t\"\n[mesh]\nkind = \"obj\"\nfile = \"{model}\"\n[light]\nposition = [0.3, 8.0, 0.2]\n\
+        "title = \"t\"\n[mesh]\nkind = \"obj\"\nfile = \"{model}\"\nup = \"y\"\n[light]\nposition = [0.3, 8.0, 0.2]\n\
          [camera]\nfov_deg = 45.0\nnear = 0.1\nkeys = [{keys}]\n"
     )
 }

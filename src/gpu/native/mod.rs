@@ -35,7 +35,7 @@ pub enum NativeError {
     #[error("native shader stages need Vulkan")]
     NotVulkan,
     /// A Vulkan call failed.
-    #[error("Vulkan: {0}")]
+    #[error("a Vulkan call failed")]
     Vulkan(#[from] ash::vk::Result),
 }
 
