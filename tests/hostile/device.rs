@@ -161,7 +161,7 @@ fn a_lost_device_fails_one_cell_and_is_opened_again() {
     assert_eq!(rows.len(), 3);
     // Frames of the truth, of verification, of warming up and of the measurement.
     let mut failures = Vec::new();
-    for lost_at in 1..=22 {
+    for lost_at in 1..=20 {
         let (output, rows) = place.run(&lost_at.to_string());
         let errors = words(&output);
         let failed: Vec<_> = rows
