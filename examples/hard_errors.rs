@@ -113,7 +113,7 @@ fn main() -> anyhow::Result<()> {
         methods = METHODS.map(str::to_owned).into();
     }
     let gpu = Gpu::open(&GpuOptions::default())?;
-    let stage = Stage::new(&gpu, &scene, SIZE.0, SIZE.1);
+    let stage = Stage::new(&gpu, &scene, SIZE.0, SIZE.1)?;
     let context = PrepareContext::new(&gpu, &scene, &stage);
     let prepared: Vec<_> = methods
         .iter()

@@ -40,7 +40,7 @@ const METHODS: [&str; 8] = [
 /// Draws `scene` at each view and light with each method and returns the errors, a row a view.
 fn errors(gpu: &Gpu, scene: &mut Scene, shots: &[(View, Vec4)]) -> Vec<Vec<MaskError>> {
     let cache = ReferenceCache::open(None);
-    let stage = Stage::new(gpu, scene, WIDTH, HEIGHT);
+    let stage = Stage::new(gpu, scene, WIDTH, HEIGHT).unwrap();
     let methods: Vec<Box<dyn PreparedMethod>> = {
         let context = PrepareContext::new(gpu, scene, &stage);
         let prepare = |id| parse_method(id).unwrap().prepare(&context).unwrap();

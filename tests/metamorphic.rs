@@ -145,7 +145,7 @@ fn a_change_of_the_shadow_is_caught() {
         scene: at(0.7),
         origins: (0..scene.mesh.triangles.len() as u32).collect(),
     };
-    let original = Original::draw(&studio, &scene, &methods).unwrap();
+    let original = Original::draw(&studio, &scene, &methods);
     for pixels in original.compare(&changed).unwrap() {
         let pixels = pixels.unwrap();
         println!("{pixels:?}");

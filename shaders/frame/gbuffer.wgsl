@@ -1,11 +1,12 @@
 // Depth, and for every pixel the number of the triangle that it shows, plus 1 (0: none).
-enable primitive_index;
-
 #include "shared/frame.wgsl"
+
+@group(1) @binding(0) var<storage, read> positions: array<vec4<f32>>;
+@group(1) @binding(1) var<storage, read> indices: array<u32>;
 
 struct Varying {
     @builtin(position) @invariant position: vec4<f32>,
-    @location(0) @interpolate(flat) first_triangle: u32,
+    @location(0) @interpolate(flat) id: u32,
 }
 
 // The same operations in the same order as `to_clip` of shared/extrude.glsl: a front cap then covers
@@ -15,13 +16,14 @@ fn to_clip(p: vec3<f32>) -> vec4<f32> {
     return (m[0] * p.x + m[1] * p.y) + (m[2] * p.z + m[3]);
 }
 
-// The instance number carries the object's first triangle: each object is its own draw call.
+// Three vertices a triangle, none shared: so each can say which triangle it belongs to. Few devices outside of
+// Vulkan let the fragment shader ask for that, and here it takes longer.
 @vertex
-fn vertex(@location(0) position: vec3<f32>, @builtin(instance_index) first_triangle: u32) -> Varying {
-    return Varying(to_clip(position), first_triangle);
+fn vertex(@builtin(vertex_index) corner: u32) -> Varying {
+    return Varying(to_clip(positions[indices[corner]].xyz), corner / 3u + 1u);
 }
 
 @fragment
-fn fragment(in: Varying, @builtin(primitive_index) triangle: u32) -> @location(0) u32 {
-    return in.first_triangle + triangle + 1u;
+fn fragment(in: Varying) -> @location(0) u32 {
+    return in.id;
 }

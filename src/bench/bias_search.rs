@@ -4,7 +4,7 @@ use super::record::{BiasRow, Cell};
 use super::verify::Truth;
 use super::{Observer, Verifier};
 use crate::config::RunPlan;
-use crate::methods::{BiasSearch, PrepareContext, PreparedMethod};
+use crate::methods::{self, BiasSearch, PrepareContext, PreparedMethod};
 use crate::metrics::Label;
 use crate::scene::CameraPath;
 
@@ -68,7 +68,7 @@ pub(super) fn find(
             return Ok(None);
         }
         tried += 1;
-        let prepared = (search.with_bias)(slope_bias).prepare(context)?;
+        let prepared = methods::prepare((search.with_bias)(slope_bias).as_ref(), context)?;
         try_bias(slope_bias, prepared.as_ref(), verifier, truths).map(Some)
     };
     let tolerance_px = TOLERANCE * f64::from(cell.width) * f64::from(cell.height);

@@ -1,5 +1,6 @@
 //! A method on a scene: one cell of a run's matrix, measured or on the way to it.
 
+use super::fault::in_one_line;
 use super::measure::Measured;
 use super::record::{
     Cell, FrameError, MethodRecord, Sample, Status, Summary, SweepRecord, pairs_to_text,
@@ -16,6 +17,10 @@ pub(super) struct CellRun<'a> {
     pub state: State,
     /// Index of the stage that it is drawn on.
     pub stage: usize,
+    /// The bias that was found, if one was looked for.
+    pub bias: Option<f64>,
+    /// What a reader of its results should know.
+    pub warnings: Vec<String>,
     pub errors: Vec<FrameError>,
     pub samples: Vec<Sample>,
     pub stages: Vec<String>,
@@ -23,21 +28,10 @@ pub(super) struct CellRun<'a> {
 
 /// Whether it can be drawn.
 pub(super) enum State {
+    /// It is yet to be made ready, or ready again on another device.
+    Planned,
     Ready(Box<dyn PreparedMethod>),
     Not(Status, String),
-}
-
-impl State {
-    /// A method that was prepared, or not.
-    pub(super) fn of(prepared: Result<Box<dyn PreparedMethod>, MethodError>) -> Self {
-        match prepared {
-            Ok(prepared) => Self::Ready(prepared),
-            Err(error @ MethodError::Unavailable(_)) => {
-                Self::Not(Status::Unavailable, error.to_string())
-            }
-            Err(error) => Self::Not(Status::Failed, error.to_string()),
-        }
-    }
 }
 
 /// What a cell of this method is called in results.
@@ -57,26 +51,18 @@ pub(super) fn name_cell(
 }
 
 impl<'a> CellRun<'a> {
-    pub(super) fn new(
-        plan: &'a MethodPlan,
-        scene: &Scene,
-        size_px: (u32, u32),
-        stage: usize,
-        state: State,
-    ) -> Self {
+    pub(super) fn new(plan: &'a MethodPlan, scene: &Scene, size_px: (u32, u32)) -> Self {
         Self {
             plan,
             cell: Cell {
                 triangles: Some(scene.mesh.caster_triangle_count() as u64),
                 objects: Some(scene.mesh.caster_object_count() as u64),
-                counters: match &state {
-                    State::Ready(prepared) => pairs_to_text(prepared.counters()),
-                    State::Not(..) => String::new(),
-                },
                 ..name_cell(&scene.name, plan.method.as_ref(), size_px)
             },
-            state,
-            stage,
+            state: State::Planned,
+            stage: 0,
+            bias: None,
+            warnings: Vec::new(),
             errors: Vec::new(),
             samples: Vec::new(),
             stages: Vec::new(),
@@ -87,8 +73,49 @@ impl<'a> CellRun<'a> {
     pub(super) fn prepared(&self) -> Option<&dyn PreparedMethod> {
         match &self.state {
             State::Ready(prepared) => Some(prepared.as_ref()),
-            State::Not(..) => None,
+            State::Planned | State::Not(..) => None,
         }
+    }
+
+    /// Whether there is something left to do.
+    pub(super) fn is_open(&self) -> bool {
+        !matches!(self.state, State::Not(..))
+    }
+
+    /// Takes the method as it was prepared, or why it could not be.
+    pub(super) fn ready(&mut self, prepared: Result<Box<dyn PreparedMethod>, MethodError>) {
+        match prepared {
+            Ok(prepared) => {
+                self.cell.counters = pairs_to_text(prepared.counters());
+                self.warnings = prepared.warnings();
+                self.state = State::Ready(prepared);
+            }
+            Err(error @ MethodError::Unavailable(_)) => {
+                self.end(Status::Unavailable, error.to_string());
+            }
+            Err(error) => self.fail(&in_one_line(&error.into())),
+        }
+    }
+
+    /// It broke; what was measured so far stays.
+    pub(super) fn fail(&mut self, reason: &str) {
+        self.end(Status::Failed, reason.to_owned());
+    }
+
+    pub(super) fn end(&mut self, status: Status, reason: String) {
+        self.state = State::Not(status, reason);
+    }
+
+    /// The device is gone, and what was prepared on it.
+    pub(super) fn forget_device(&mut self) {
+        if self.is_open() {
+            self.state = State::Planned;
+        }
+    }
+
+    /// Whether that frame was measured already, on a device that has been lost since.
+    pub(super) fn has_sample(&self, frame: u32) -> bool {
+        self.samples.iter().any(|sample| sample.frame == frame)
     }
 
     /// The row of a measured frame.
@@ -147,9 +174,9 @@ impl<'a> CellRun<'a> {
     pub(super) fn summary(&self, verified: bool) -> Summary {
         let (status, reason) = match &self.state {
             State::Not(status, reason) => (*status, reason.as_str()),
-            State::Ready(_) if self.samples.is_empty() => (Status::Skipped, "interrupted"),
-            State::Ready(_) if !verified => (Status::Unverified, ""),
-            State::Ready(_) => (Status::Ok, ""),
+            _ if self.samples.is_empty() => (Status::Skipped, "interrupted"),
+            _ if !verified => (Status::Unverified, ""),
+            _ => (Status::Ok, ""),
         };
         Summary::from_samples(&self.cell, &self.samples, &self.errors, status, reason)
     }

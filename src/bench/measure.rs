@@ -2,9 +2,11 @@
 //! frame, in an order shuffled anew, so that a drift of the machine hits all alike.
 
 use super::Observer;
+use super::cell::CellRun;
+use super::fault::{RunDirError, in_one_line};
+use super::run_dir::RunDir;
 use crate::frame::{GBUFFER_STAGE, SHADE_STAGE, Stage};
 use crate::gpu::{FrameTimer, Gpu, StageTimes};
-use crate::methods::PreparedMethod;
 use crate::scene::Scene;
 use rand::SeedableRng;
 use rand::seq::SliceRandom;
@@ -23,8 +25,6 @@ pub(super) struct Schedule {
 
 /// A frame that was measured.
 pub(super) struct Measured {
-    /// Index of the method.
-    pub method: usize,
     /// Number of the frame along the flight.
     pub frame: u32,
     /// Its time on the flight.
@@ -45,81 +45,150 @@ impl Measured {
 
 #[derive(Clone, Copy)]
 struct Tag {
-    method: usize,
+    /// Index of the cell.
+    cell: usize,
     frame: u32,
     time_s: f64,
     order: u64,
     warmup: bool,
 }
 
-/// Flies along the camera path, each method on its stage, and hands every measured frame to `keep`, frames later.
+/// Flies along the camera path, each cell that is ready on its stage, and keeps every measured frame, frames
+/// later. A cell that breaks ends; where the device is lost, all ends. Frames that were measured already, on a
+/// device that was lost, are not measured again.
 pub(super) fn measure(
     gpu: &Gpu,
     scene: &Scene,
-    (stages, methods): (&[Stage], &[(usize, &dyn PreparedMethod)]),
+    stages: &[Stage],
+    cells: &mut [CellRun<'_>],
     schedule: Schedule,
-    observer: &dyn Observer,
-    mut keep: impl FnMut(Measured) -> anyhow::Result<()>,
-) -> anyhow::Result<()> {
-    let times_s = scene.camera.frame_times(schedule.frames as usize);
-    let warmup = std::iter::repeat_n(
-        (0, times_s.first().copied().unwrap_or(0.0)),
-        schedule.warmup_frames as usize,
-    );
-    let flight = (0..).zip(times_s.iter().copied());
-    let rounds = warmup
-        .map(|round| (round, true))
-        .chain(flight.map(|round| (round, false)));
-
-    let mut shuffle = ChaCha8Rng::seed_from_u64(schedule.seed);
-    let mut order: Vec<usize> = (0..methods.len()).collect();
-    let mut timer = FrameTimer::new(gpu);
-    let mut drawn = 0;
-    let mut keep_measured = |(tag, times): (Tag, StageTimes)| {
-        let Tag {
-            method,
-            frame,
-            time_s,
-            order,
-            warmup,
-        } = tag;
-        if warmup {
-            Ok(())
-        } else {
-            keep(Measured {
-                method,
-                frame,
-                time_s,
-                order,
-                times,
-            })
-        }
+    (observer, dir): (&dyn Observer, &mut RunDir),
+) -> Result<(), RunDirError> {
+    let mut flight = Flight {
+        gpu,
+        cells,
+        timer: FrameTimer::new(gpu),
+        dir,
     };
-    for ((frame, time_s), warmup) in rounds {
+    let mut shuffle = ChaCha8Rng::seed_from_u64(schedule.seed);
+    let ready = |(i, run): (usize, &CellRun<'_>)| run.prepared().map(|_| i);
+    let mut order: Vec<usize> = flight.cells.iter().enumerate().filter_map(ready).collect();
+    let mut drawn = 0;
+    for (frame, time_s, warmup) in rounds(scene, schedule) {
         let view = scene.camera.view_at(time_s);
         for stage in stages {
             stage.set_view(gpu, &view, scene.light);
         }
         order.shuffle(&mut shuffle);
-        for &method in &order {
+        for &cell in &order {
             if observer.interrupted() {
                 break;
             }
+            if !warmup && flight.cells[cell].has_sample(frame) {
+                continue;
+            }
             let tag = Tag {
-                method,
+                cell,
                 frame,
                 time_s,
                 order: drawn,
                 warmup,
             };
             drawn += 1;
-            let (stage, prepared) = methods[method];
-            let done = timer.frame(gpu, tag, |recorder| {
-                stages[stage].record(recorder, prepared);
-            })?;
-            done.map_or(Ok(()), &mut keep_measured)?;
+            flight.draw(&stages[flight.cells[cell].stage], tag)?;
+            if gpu.lost().is_some() {
+                return Ok(());
+            }
             observer.advance(1);
         }
     }
-    timer.finish(gpu)?.into_iter().try_for_each(keep_measured)
+    flight.finish()
+}
+
+/// Number and time of each round of frames, and whether it only warms up.
+fn rounds(scene: &Scene, schedule: Schedule) -> impl Iterator<Item = (u32, f64, bool)> {
+    let times_s = scene.camera.frame_times(schedule.frames as usize);
+    let start_s = times_s.first().copied().unwrap_or(0.0);
+    let warmup = std::iter::repeat_n((0, start_s, true), schedule.warmup_frames as usize);
+    let measured = (0..).zip(times_s);
+    warmup.chain(measured.map(|(frame, time_s)| (frame, time_s, false)))
+}
+
+/// The frames of a scene's cells, some of them under way.
+struct Flight<'a, 'b> {
+    gpu: &'a Gpu,
+    cells: &'a mut [CellRun<'b>],
+    timer: FrameTimer<Tag>,
+    dir: &'a mut RunDir,
+}
+
+impl Flight<'_, '_> {
+    /// Draws one frame, unless its cell has broken before.
+    fn draw(&mut self, stage: &Stage, tag: Tag) -> Result<(), RunDirError> {
+        // First, lest what has come to its end gets lost if this frame breaks.
+        match self.timer.make_room(self.gpu) {
+            Ok(done) => done.map_or(Ok(()), |done| self.keep(done))?,
+            Err(error) => {
+                self.end(tag, &error);
+                return Ok(());
+            }
+        }
+        let Some(prepared) = self.cells[tag.cell].prepared() else {
+            return Ok(());
+        };
+        let drawn = self.timer.frame(self.gpu, tag, |recorder| {
+            stage.record(recorder, prepared);
+        });
+        if let Err(error) = drawn {
+            self.end(tag, &error);
+        }
+        Ok(())
+    }
+
+    /// Waits for what is under way.
+    fn finish(mut self) -> Result<(), RunDirError> {
+        while let Some(tag) = self.timer.under_way().copied() {
+            match self.timer.finish_one(self.gpu) {
+                Ok(done) => done.map_or(Ok(()), |done| self.keep(done))?,
+                Err(error) => {
+                    self.end(tag, &error);
+                    break;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn keep(&mut self, (tag, times): (Tag, StageTimes)) -> Result<(), RunDirError> {
+        let run = &mut self.cells[tag.cell];
+        if tag.warmup || !run.is_open() {
+            return Ok(());
+        }
+        let measured = Measured {
+            frame: tag.frame,
+            time_s: tag.time_s,
+            order: tag.order,
+            times,
+        };
+        let sample = run.sample(&measured);
+        self.dir.append_sample(&sample)?;
+        run.keep(&measured, sample);
+        Ok(())
+    }
+
+    /// Ends the cell whose frame broke. Frames come to their end in order: a device is lost by the first that
+    /// did not.
+    fn end(&mut self, drawing: Tag, error: &anyhow::Error) {
+        let tag = match self.gpu.lost() {
+            Some(_) => self.timer.under_way().copied().unwrap_or(drawing),
+            None => drawing,
+        };
+        let reason = format!(
+            "frame {} at {:.1} s of the flight: {}",
+            tag.frame,
+            tag.time_s,
+            in_one_line(error)
+        );
+        self.cells[tag.cell].fail(&reason);
+    }
 }

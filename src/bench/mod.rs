@@ -3,8 +3,10 @@
 
 mod bias_search;
 mod cell;
+mod fault;
 mod measure;
 mod observer;
+mod preparation;
 pub mod provenance;
 pub mod record;
 mod run_dir;
@@ -14,6 +16,7 @@ pub mod statistics;
 pub mod verify;
 mod verify_cells;
 
+pub(crate) use fault::in_one_line;
 pub use observer::Observer;
 pub use run_dir::new_directory;
 pub use runner::{RunRequest, run};

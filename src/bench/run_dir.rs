@@ -3,6 +3,7 @@
 //! `samples.csv`, `errors.csv`, `regions.csv` and `bias.csv` grow row by row, each flushed as it comes, so that a run that dies keeps what it
 //! has. Everything else is written to a temporary file and renamed: a file that is there is whole.
 
+use super::fault::RunDirError;
 use super::record::{
     BIAS_FILE, BiasRow, ERRORS_FILE, FrameError, IMAGES_DIR, ImageKind, REGIONS_FILE, RUN_FILE,
     RegionRow, RunInfo, SAMPLES_FILE, SUMMARY_FILE, Sample, Summary, image_name,
@@ -96,15 +97,15 @@ impl RunDir {
     }
 
     /// Writes `run.json`, over the one before.
-    pub(super) fn write_info(&self, info: &RunInfo) -> anyhow::Result<()> {
-        self.replace(RUN_FILE, |file| {
+    pub(super) fn write_info(&self, info: &RunInfo) -> Result<(), RunDirError> {
+        RunDirError::of(self.replace(RUN_FILE, |file| {
             Ok(serde_json::to_writer_pretty(file, info)?)
-        })
+        }))
     }
 
     /// Appends a row to `samples.csv`.
-    pub(super) fn append_sample(&mut self, sample: &Sample) -> anyhow::Result<()> {
-        self.samples.append(std::slice::from_ref(sample))
+    pub(super) fn append_sample(&mut self, sample: &Sample) -> Result<(), RunDirError> {
+        RunDirError::of(self.samples.append(std::slice::from_ref(sample)))
     }
 
     /// Appends a verified frame to `errors.csv`, and its largest regions to `regions.csv`.
@@ -112,23 +113,23 @@ impl RunDir {
         &mut self,
         error: &FrameError,
         regions: &[RegionRow],
-    ) -> anyhow::Result<()> {
-        self.errors.append(std::slice::from_ref(error))?;
-        self.regions.append(regions)
+    ) -> Result<(), RunDirError> {
+        RunDirError::of(self.errors.append(std::slice::from_ref(error)))?;
+        RunDirError::of(self.regions.append(regions))
     }
 
     /// Appends a row to `bias.csv`.
-    pub(super) fn append_bias(&mut self, bias: &BiasRow) -> anyhow::Result<()> {
-        self.biases.append(std::slice::from_ref(bias))
+    pub(super) fn append_bias(&mut self, bias: &BiasRow) -> Result<(), RunDirError> {
+        RunDirError::of(self.biases.append(std::slice::from_ref(bias)))
     }
 
     /// Writes `summary.csv`, over the one before.
-    pub(super) fn write_summary(&self, rows: &[Summary]) -> anyhow::Result<()> {
-        self.replace(SUMMARY_FILE, |file| {
+    pub(super) fn write_summary(&self, rows: &[Summary]) -> Result<(), RunDirError> {
+        RunDirError::of(self.replace(SUMMARY_FILE, |file| {
             let mut writer = csv::Writer::from_writer(file);
             rows.iter().try_for_each(|row| writer.serialize(row))?;
             Ok(writer.flush()?)
-        })
+        }))
     }
 
     /// Writes a picture of a cell.
@@ -137,9 +138,9 @@ impl RunDir {
         (scene, method, variant): (&str, &str, &str),
         kind: ImageKind,
         image: &crate::image::Image<'_>,
-    ) -> anyhow::Result<()> {
+    ) -> Result<(), RunDirError> {
         let name = image_name(scene, method, variant, kind);
-        image.write_png(&self.path.join(IMAGES_DIR).join(name))
+        RunDirError::of(image.write_png(&self.path.join(IMAGES_DIR).join(name)))
     }
 
     fn replace(

@@ -1,6 +1,7 @@
 //! A whole run, scene after scene.
 
 use super::Observer;
+use super::fault::RunDirError;
 use super::provenance::program_git;
 use super::record::{
     DeviceRecord, FORMAT, HostRecord, MethodRecord, RunInfo, RunStatus, Status, Summary,
@@ -14,7 +15,7 @@ use std::path::Path;
 
 /// What to run, where, and who watches.
 pub struct RunRequest<'a> {
-    /// The device.
+    /// The device; where it is lost, the run goes on with the same one opened again.
     pub gpu: &'a Gpu,
     /// What to measure.
     pub plan: &'a RunPlan,
@@ -49,11 +50,12 @@ impl RunOutcome {
 /// Runs the plan and leaves a run directory. Cells that cannot run are recorded with the reason.
 ///
 /// # Errors
-/// When the directory cannot be written or the device is lost; what was measured stays.
+/// When the directory cannot be written; what was measured stays. A device that is lost is opened again.
 pub fn run(request: &RunRequest<'_>) -> anyhow::Result<RunOutcome> {
     let mut dir = RunDir::create(request.out)?;
     let mut info = info(request);
-    dir.write_info(&info)?;
+    dir.write_info(&info).map_err(RunDirError::into_inner)?;
+    let mut gpu = request.gpu.clone();
     request
         .observer
         .begin(request.plan.steps_per_scene() * request.plan.scenes.len() as u64);
@@ -63,25 +65,24 @@ pub fn run(request: &RunRequest<'_>) -> anyhow::Result<RunOutcome> {
         if request.observer.interrupted() {
             break;
         }
-        match run_scene(request, plan, &mut dir) {
-            Ok(outcome) => {
-                let SceneOutcome {
-                    record,
-                    methods,
-                    summaries: rows,
-                    warnings,
-                } = outcome;
-                info.scenes.push(record);
-                info.warnings.extend(warnings);
-                add_methods(&mut info.methods, methods);
-                summaries.extend(rows);
-                dir.write_summary(&summaries)?;
-                dir.write_info(&info)?;
-            }
-            Err(error) => {
-                failure = Some(error.context(format!("scene `{}`", plan.file.name)));
-                break;
-            }
+        let outcome = run_scene(request, &mut gpu, plan, &mut dir).and_then(|outcome| {
+            let SceneOutcome {
+                record,
+                methods,
+                summaries: rows,
+                warnings,
+            } = outcome;
+            info.scenes.push(record);
+            info.warnings.extend(warnings);
+            add_methods(&mut info.methods, methods);
+            summaries.extend(rows);
+            dir.write_summary(&summaries)?;
+            dir.write_info(&info)
+        });
+        if let Err(error) = outcome {
+            let error = error.into_inner();
+            failure = Some(error.context(format!("scene `{}`", plan.file.name)));
+            break;
         }
     }
     info.status = match (&failure, request.observer.interrupted()) {
@@ -89,9 +90,9 @@ pub fn run(request: &RunRequest<'_>) -> anyhow::Result<RunOutcome> {
         (None, true) => RunStatus::Interrupted,
         (None, false) => RunStatus::Complete,
     };
-    dir.write_summary(&summaries)?;
-    dir.write_info(&info)?;
-    match failure {
+    let written = dir.write_summary(&summaries);
+    let written = written.and_then(|()| dir.write_info(&info));
+    match failure.or(written.err().map(RunDirError::into_inner)) {
         Some(error) => Err(error),
         None => Ok(RunOutcome {
             status: info.status,

@@ -1,17 +1,21 @@
 //! One scene of a run: prepare every method, verify, measure, sum up.
 
-use super::cell::{CellRun, State, name_cell};
+use super::cell::{CellRun, name_cell};
+use super::fault::{Broken, RunDirError, in_one_line};
 use super::measure::{Schedule, measure};
+use super::preparation::Preparation;
 use super::record::{EdgeRecord, MethodRecord, SceneRecord, Status, Summary};
 use super::run_dir::RunDir;
-use super::verify::Truth;
 use super::verify_cells::verify_cells;
 use super::{RunRequest, Verifier, bias_search};
 use crate::config::{MethodPlan, ScenePlan};
-use crate::frame::Stage;
-use crate::methods::{BiasSearch, MethodError, PrepareContext, PreparedMethod};
+use crate::frame::{SceneBuffers, Stage};
+use crate::gpu::Gpu;
+use crate::methods::PrepareContext;
+use crate::scene::camera::FrameError;
+use crate::scene::file::MeshSource;
 use crate::scene::{Scene, SceneError};
-use std::rc::Rc;
+use anyhow::Context;
 
 /// What a scene's part of the run came to.
 pub(super) struct SceneOutcome {
@@ -21,40 +25,53 @@ pub(super) struct SceneOutcome {
     pub warnings: Vec<String>,
 }
 
-/// Runs one scene. An error ends the run (the device is lost, the disk is full); what concerns one
-/// cell or scene alone becomes its status.
+/// Runs one scene on `gpu`, which is opened again where it is lost. What concerns the scene or one of its
+/// cells becomes their status; only what concerns the run directory is an error.
 pub(super) fn run_scene(
     request: &RunRequest<'_>,
+    gpu: &mut Gpu,
     plan: &ScenePlan,
     dir: &mut RunDir,
-) -> anyhow::Result<SceneOutcome> {
+) -> Result<SceneOutcome, RunDirError> {
     request
         .observer
         .phase(&format!("{}: loading", plan.file.name));
-    match plan.file.load(&plan.search) {
-        Ok(scene) => run_loaded(request, &scene, dir),
+    let scene = match load(gpu, plan) {
+        Ok(scene) => scene,
         Err(error) => {
             request.observer.advance(request.plan.steps_per_scene());
-            Ok(not_loaded(request, plan, error))
+            return Ok(not_loaded(request, plan, &error));
+        }
+    };
+    let mut run = SceneRun::new(request, &scene);
+    match check_views(request, &scene) {
+        Ok(()) => run.on_devices(gpu, dir)?,
+        Err(error) => {
+            request.observer.advance(request.plan.steps_per_scene());
+            run.fail(&error.into());
         }
     }
+    Ok(run.outcome())
 }
 
-fn not_loaded(request: &RunRequest<'_>, plan: &ScenePlan, error: SceneError) -> SceneOutcome {
-    let status = match error {
-        SceneError::MissingModel { .. } => Status::Skipped,
+fn load(gpu: &Gpu, plan: &ScenePlan) -> anyhow::Result<Scene> {
+    // A grid that the device cannot take need not be built first.
+    if let MeshSource::SphereGrid(grid) = &plan.file.mesh {
+        SceneBuffers::check(gpu, grid.triangle_count())?;
+    }
+    Ok(plan.file.load(&plan.search)?)
+}
+
+fn not_loaded(request: &RunRequest<'_>, plan: &ScenePlan, error: &anyhow::Error) -> SceneOutcome {
+    let status = match error.downcast_ref() {
+        Some(SceneError::MissingModel { .. }) => Status::Skipped,
         _ => Status::Failed,
     };
-    // In one line, with its causes: a scene's own error may not say which line of its model is at
-    // fault.
-    let reason = format!("{:#}", anyhow::Error::new(error));
-    let reason = reason.split_whitespace().collect::<Vec<_>>().join(" ");
+    // With its causes: a scene's own error may not say which line of its model is at fault.
+    let reason = in_one_line(error);
     let summary = |method: &MethodPlan| {
-        let cell = name_cell(
-            &plan.file.name,
-            method.method.as_ref(),
-            request.plan.size_px,
-        );
+        let size_px = request.plan.size_px;
+        let cell = name_cell(&plan.file.name, method.method.as_ref(), size_px);
         Summary::from_samples(&cell, &[], &[], status, &reason)
     };
     SceneOutcome {
@@ -76,189 +93,182 @@ fn not_loaded(request: &RunRequest<'_>, plan: &ScenePlan, error: SceneError) -> 
     }
 }
 
-fn run_loaded(
-    request: &RunRequest<'_>,
-    scene: &Scene,
-    dir: &mut RunDir,
-) -> anyhow::Result<SceneOutcome> {
-    let setups = request
-        .plan
+/// Looks at every view of the flight that the run will draw: nothing is measured of a flight that has frames
+/// without a picture.
+fn check_views(request: &RunRequest<'_>, scene: &Scene) -> Result<(), FrameError> {
+    let (plan, camera) = (request.plan, &scene.camera);
+    let measured_s = camera.frame_times(plan.frames as usize);
+    let mut verified_s = plan.verified_times(camera);
+    if plan
         .methods
         .iter()
-        .map(|plan| plan.method.depth_setup());
-    let stages = Stage::for_setups(request.gpu, scene, request.plan.size_px, setups);
-    let context = PrepareContext::new(request.gpu, scene, &stages[0]);
-    let methods = &request.plan.methods;
-    let verified = request.plan.verified_frames() > 0;
-    let searched = methods
-        .iter()
-        .any(|plan| plan.method.bias_search().is_some());
-    let verifiers: Vec<Verifier<'_>> = if verified || searched {
-        let first = Verifier::new(request.gpu, scene, &stages[0], request.cache)?;
-        stages.iter().map(|stage| first.on(stage)).collect()
-    } else {
-        Vec::new()
-    };
-    let mut biases = BiasFinder {
-        request,
-        truths: vec![None; stages.len()],
-        verifiers: &verifiers,
-        dir,
-    };
-    let mut cells = Vec::new();
-    for plan in methods {
-        let setup = plan.method.depth_setup();
-        let stage = stages.iter().position(|stage| stage.depth == setup);
-        let state = match stage {
-            Some(stage) => {
-                let context = context.on(&stages[stage]);
-                prepare(request, &context, plan, |search| {
-                    biases.find(plan, search, &context, stage)
-                })?
-            }
-            None => State::of(Err(setup
-                .check(request.gpu)
-                .map_or_else(MethodError::Unavailable, |()| {
-                    unreachable!("there is a stage for each setup that the device can draw")
-                }))),
-        };
-        if let State::Not(..) = state {
-            request.observer.advance(request.plan.steps_per_cell());
-        }
-        let size_px = request.plan.size_px;
-        cells.push(CellRun::new(
-            plan,
-            scene,
-            size_px,
-            stage.unwrap_or(0),
-            state,
-        ));
+        .any(|plan| plan.method.bias_search().is_some())
+    {
+        verified_s.extend(bias_search::times(plan, camera));
     }
-    if verified {
-        verify_cells(request, scene, &verifiers, &mut cells, dir)?;
-    }
-    measure_cells(request, scene, &stages, &mut cells, dir)?;
-    Ok(SceneOutcome {
-        record: scene_record(scene, &context),
-        methods: cells.iter().map(CellRun::method_record).collect(),
-        summaries: cells.iter().map(|run| run.summary(verified)).collect(),
-        warnings: warnings(scene, &cells),
-    })
+    camera.check_times(measured_s.into_iter().chain(verified_s))
 }
 
-/// Makes a method ready; `find` searches for its bias, if it asks for that.
-fn prepare(
-    request: &RunRequest<'_>,
-    context: &PrepareContext<'_>,
-    plan: &MethodPlan,
-    find: impl FnOnce(&BiasSearch<'_>) -> anyhow::Result<Option<f64>>,
-) -> anyhow::Result<State> {
-    let method = plan.method.as_ref();
-    let info = method.info();
-    if let Err(reason) = info.check(request.gpu) {
-        return Ok(State::of(Err(MethodError::Unavailable(reason))));
-    }
-    let Some(search) = method.bias_search() else {
-        let text = format!("{}: preparing {}", context.scene.name, info.id);
-        request.observer.phase(&text);
-        return Ok(State::of(method.prepare(context)));
-    };
-    match find(&search) {
-        Ok(Some(bias)) => Ok(State::of((search.with_bias)(bias).prepare(context))),
-        Ok(None) => Ok(State::Not(Status::Skipped, "interrupted".to_owned())),
-        Err(error) => Ok(State::of(Err(error.downcast::<MethodError>()?))),
-    }
-}
-
-/// Finds biases, and keeps what is true at the views where they are tried.
-struct BiasFinder<'a> {
+/// A scene that is being run.
+struct SceneRun<'a> {
     request: &'a RunRequest<'a>,
-    verifiers: &'a [Verifier<'a>],
-    /// Of each stage, once somebody searches on it.
-    truths: Vec<Option<Rc<[Truth]>>>,
-    dir: &'a mut RunDir,
+    scene: &'a Scene,
+    cells: Vec<CellRun<'a>>,
+    edges: Option<EdgeRecord>,
+    /// Why nothing of it goes on, if that is so.
+    failure: Option<String>,
+    warnings: Vec<String>,
 }
 
-impl BiasFinder<'_> {
-    fn find(
-        &mut self,
-        plan: &MethodPlan,
-        search: &BiasSearch<'_>,
-        context: &PrepareContext<'_>,
-        stage: usize,
-    ) -> anyhow::Result<Option<f64>> {
-        let (request, scene) = (self.request, context.scene);
-        let cell = name_cell(&scene.name, plan.method.as_ref(), request.plan.size_px);
-        let text = format!("{}: finding the bias of {}", cell.scene, cell.method);
-        request.observer.phase(&text);
-        let verifier = &self.verifiers[stage];
-        let truths = match &self.truths[stage] {
-            Some(truths) => Rc::clone(truths),
-            None => {
-                let times_s = bias_search::times(request.plan, &scene.camera).into_iter();
-                let truths = times_s.map(|s| verifier.truth(&scene.camera.view_at(s)));
-                let truths: Rc<[Truth]> = truths.collect::<anyhow::Result<_>>()?;
-                Rc::clone(self.truths[stage].insert(truths))
-            }
-        };
-        let on = (verifier, &*truths);
-        let found = bias_search::find(&cell, search, context, on, request.observer)?;
-        if let Some(found) = &found {
-            self.dir.append_bias(&found.row)?;
+impl<'a> SceneRun<'a> {
+    fn new(request: &'a RunRequest<'a>, scene: &'a Scene) -> Self {
+        let cell = |plan| CellRun::new(plan, scene, request.plan.size_px);
+        Self {
+            request,
+            scene,
+            cells: request.plan.methods.iter().map(cell).collect(),
+            edges: None,
+            failure: None,
+            warnings: Vec::new(),
         }
-        Ok(found.map(|found| found.slope_bias))
+    }
+
+    /// Runs what is left to do, on one device after another: where one is lost, the cell that lost it has
+    /// failed, and the others go on.
+    fn on_devices(&mut self, gpu: &mut Gpu, dir: &mut RunDir) -> Result<(), RunDirError> {
+        loop {
+            if let Some(loss) = gpu.lost() {
+                match gpu.reopen() {
+                    Ok(opened) => *gpu = opened,
+                    Err(error) => {
+                        let error = anyhow::Error::new(error);
+                        self.fail(&error.context(format!("{loss}, and cannot be opened again")));
+                        return Ok(());
+                    }
+                }
+            }
+            let open = self.open_cells();
+            match self.on_device(gpu, dir) {
+                Ok(()) => {}
+                Err(Broken::Run(error)) => return Err(error),
+                Err(Broken::Scene(error)) => self.fail(&error),
+            }
+            let Some(loss) = gpu.lost() else {
+                return Ok(());
+            };
+            self.warnings
+                .push(format!("{}: {loss}; it was opened again", self.scene.name));
+            self.cells.iter_mut().for_each(CellRun::forget_device);
+            // Without an end to blame on a cell, this would go on for ever.
+            if self.open_cells() == open {
+                self.fail(&loss.into());
+            }
+            if self.open_cells() == 0 {
+                return Ok(());
+            }
+        }
+    }
+
+    fn open_cells(&self) -> usize {
+        self.cells.iter().filter(|run| run.is_open()).count()
+    }
+
+    /// Ends all that has not ended yet.
+    fn fail(&mut self, error: &anyhow::Error) {
+        let reason = in_one_line(error);
+        for run in self.cells.iter_mut().filter(|run| run.is_open()) {
+            run.fail(&reason);
+        }
+        self.failure = Some(reason);
+    }
+
+    /// Runs what is left to do until that is done, or the device is lost.
+    fn on_device(&mut self, gpu: &Gpu, dir: &mut RunDir) -> Result<(), Broken> {
+        let (request, scene) = (self.request, self.scene);
+        let verified = request.plan.verified_frames() > 0;
+        let open = || self.cells.iter().filter(|run| run.is_open());
+        let setups = open().map(|run| run.plan.method.depth_setup());
+        let stages = Stage::for_setups(gpu, scene, request.plan.size_px, setups)
+            .context("the scene cannot be drawn")?;
+        let context = PrepareContext::new(gpu, scene, &stages[0]);
+        let searched = open().any(|run| run.plan.method.bias_search().is_some());
+        let verifiers: Vec<Verifier<'_>> = if verified || searched {
+            let first = Verifier::new(gpu, scene, &stages[0], request.cache)?;
+            stages.iter().map(|stage| first.on(stage)).collect()
+        } else {
+            Vec::new()
+        };
+        let mut preparation = Preparation {
+            request,
+            context: &context,
+            stages: &stages,
+            verifiers: &verifiers,
+            truths: vec![None; stages.len()],
+            dir,
+        };
+        for run in self.cells.iter_mut().filter(|run| run.is_open()) {
+            preparation.prepare(run)?;
+            if gpu.lost().is_some() {
+                return Ok(());
+            }
+        }
+        self.edges = self.edges.or_else(|| edges(&context));
+        if verified {
+            verify_cells(request, gpu, scene, &verifiers, &mut self.cells, dir)?;
+        }
+        if gpu.lost().is_none() {
+            request
+                .observer
+                .phase(&format!("{}: measuring", scene.name));
+            let schedule = Schedule {
+                frames: request.plan.frames,
+                warmup_frames: request.plan.warmup_frames,
+                seed: request.plan.seed,
+            };
+            measure(
+                gpu,
+                scene,
+                &stages,
+                &mut self.cells,
+                schedule,
+                (request.observer, dir),
+            )?;
+        }
+        Ok(())
+    }
+
+    fn outcome(self) -> SceneOutcome {
+        let verified = self.request.plan.verified_frames() > 0;
+        let mut warnings = self.warnings;
+        for run in &self.cells {
+            for text in &run.warnings {
+                let warning = format!("{}, {}: {text}", self.scene.name, run.cell.method);
+                if !warnings.contains(&warning) {
+                    warnings.push(warning);
+                }
+            }
+        }
+        SceneOutcome {
+            record: scene_record(self.scene, self.edges, self.failure),
+            methods: self.cells.iter().map(CellRun::method_record).collect(),
+            summaries: self.cells.iter().map(|run| run.summary(verified)).collect(),
+            warnings,
+        }
     }
 }
 
-fn measure_cells(
-    request: &RunRequest<'_>,
-    scene: &Scene,
-    stages: &[Stage],
-    cells: &mut [CellRun<'_>],
-    dir: &mut RunDir,
-) -> anyhow::Result<()> {
-    request
-        .observer
-        .phase(&format!("{}: measuring", scene.name));
-    let schedule = Schedule {
-        frames: request.plan.frames,
-        warmup_frames: request.plan.warmup_frames,
-        seed: request.plan.seed,
-    };
-    let mut kept = Vec::new();
-    let (ready, methods): (Vec<usize>, Vec<(usize, &dyn PreparedMethod)>) = cells
-        .iter()
-        .enumerate()
-        .filter_map(|(i, run)| Some((i, (run.stage, run.prepared()?))))
-        .unzip();
-    measure(
-        request.gpu,
-        scene,
-        (stages, &methods),
-        schedule,
-        request.observer,
-        |measured| {
-            let sample = cells[ready[measured.method]].sample(&measured);
-            dir.append_sample(&sample)?;
-            kept.push((measured, sample));
-            Ok(())
-        },
-    )?;
-    for (measured, sample) in kept {
-        cells[ready[measured.method]].keep(&measured, sample);
-    }
-    Ok(())
-}
-
-fn scene_record(scene: &Scene, context: &PrepareContext<'_>) -> SceneRecord {
-    let edges = context.topology_if_built().map(|topology| {
+fn edges(context: &PrepareContext<'_>) -> Option<EdgeRecord> {
+    context.topology_if_built().map(|topology| {
         let counts = topology.counts();
         EdgeRecord {
             boundary: counts.boundary as u64,
             manifold: counts.manifold as u64,
             non_manifold: counts.non_manifold as u64,
         }
-    });
+    })
+}
+
+fn scene_record(scene: &Scene, edges: Option<EdgeRecord>, failure: Option<String>) -> SceneRecord {
     SceneRecord {
         name: scene.name.clone(),
         title: scene.title.clone(),
@@ -268,21 +278,10 @@ fn scene_record(scene: &Scene, context: &PrepareContext<'_>) -> SceneRecord {
         light: scene.light.truncate().to_array(),
         light_w: scene.light.w,
         edges,
-        status: Status::Ok,
-        reason: String::new(),
+        status: match failure {
+            Some(_) => Status::Failed,
+            None => Status::Ok,
+        },
+        reason: failure.unwrap_or_default(),
     }
-}
-
-/// What the reader of a scene's results should know, each thing once.
-fn warnings(scene: &Scene, cells: &[CellRun<'_>]) -> Vec<String> {
-    let mut warnings = Vec::new();
-    for run in cells {
-        for text in run.prepared().map(|p| p.warnings()).unwrap_or_default() {
-            let warning = format!("{}, {}: {text}", scene.name, run.cell.method);
-            if !warnings.contains(&warning) {
-                warnings.push(warning);
-            }
-        }
-    }
-    warnings
 }

@@ -2,6 +2,7 @@
 
 use crate::frame::{FrameView, Stage};
 use crate::gpu::{FrameRecorder, Gpu, readback};
+use crate::memory;
 use crate::methods::PreparedMethod;
 use crate::metrics::{
     Analysis, Distances, EdgeDistances, Flicker, FrameContext, MaskComparison, MaskError,
@@ -16,6 +17,10 @@ use anyhow::Context;
 use glam::Vec4;
 use rayon::prelude::*;
 use std::rc::Rc;
+
+/// What the processor needs for a pixel of a picture that is compared with the truth: numbers of triangles,
+/// verdicts, distances to the edge, masks and pictures.
+const TRUTH_BYTES_PER_PIXEL: u64 = 64;
 
 /// Draws single frames of one scene on one stage and judges their masks.
 pub struct Verifier<'a> {
@@ -105,20 +110,26 @@ impl<'a> Verifier<'a> {
     /// The truth at `view`, from the cache or traced.
     ///
     /// # Errors
-    /// When the device is lost, or the view is no perspective.
+    /// When the device is lost, memory is short, or there is no picture from that view.
     pub fn truth(&self, view: &View) -> anyhow::Result<Truth> {
+        view.validate().context("camera")?;
         let camera = *view;
+        let (width, height) = (self.stage.targets.width, self.stage.targets.height);
+        memory::check(TRUTH_BYTES_PER_PIXEL * u64::from(width) * u64::from(height))
+            .with_context(|| format!("the truth of {width} × {height} pixels is too large"))?;
         let FrameView {
             view_projection, ..
         } = self.stage.set_view(self.gpu, view, self.light);
-        let mut frame = FrameRecorder::untimed(self.gpu);
-        self.stage.record_gbuffer(&mut frame);
-        frame.submit();
-        let ids = readback::read_texture(self.gpu, &self.stage.targets.triangle_ids)?;
+        let ids = self.gpu.attempt(|| {
+            let mut frame = FrameRecorder::untimed(self.gpu);
+            self.stage.record_gbuffer(&mut frame);
+            frame.submit();
+            readback::read_texture(self.gpu, &self.stage.targets.triangle_ids)
+        })?;
         let triangle_ids: Vec<u32> = bytemuck::pod_collect_to_vec(&ids);
         let view = ReferenceView {
-            width: self.stage.targets.width,
-            height: self.stage.targets.height,
+            width,
+            height,
             view_projection,
         };
         let light = self.light;
@@ -156,17 +167,20 @@ impl<'a> Verifier<'a> {
     /// # Errors
     /// When the device is lost.
     pub fn true_picture(&self, truth: &Truth) -> anyhow::Result<Vec<u8>> {
-        self.stage.set_view(self.gpu, &truth.camera, self.light);
-        let mut frame = FrameRecorder::untimed(self.gpu);
-        self.stage.record_gbuffer(&mut frame);
-        frame.submit();
+        let gpu = self.gpu;
+        self.stage.set_view(gpu, &truth.camera, self.light);
         let in_shadow = |verdict: &Verdict| u8::from(*verdict == Verdict::Shadowed) * u8::MAX;
         let mask: Vec<u8> = truth.mask.verdicts.iter().map(in_shadow).collect();
-        self.stage.targets.write_mask(self.gpu, &mask);
-        let mut frame = FrameRecorder::untimed(self.gpu);
-        self.stage.record_shade(&mut frame);
-        frame.submit();
-        self.read_picture()
+        gpu.attempt(|| {
+            let mut frame = FrameRecorder::untimed(gpu);
+            self.stage.record_gbuffer(&mut frame);
+            frame.submit();
+            self.stage.targets.write_mask(gpu, &mask);
+            let mut frame = FrameRecorder::untimed(gpu);
+            self.stage.record_shade(&mut frame);
+            frame.submit();
+            self.read_picture()
+        })
     }
 
     /// Compares a mask with the truth of the same view. `method`, which drew it, may know its shadow map's

@@ -1,13 +1,17 @@
 //! Verifying the cells of a scene: every method against the truth, in some frames of the flight.
 
 use super::cell::CellRun;
+use super::fault::{RunDirError, in_one_line};
 use super::record::{Cell, FrameError, ImageKind, RegionRow, pairs_to_text};
 use super::run_dir::RunDir;
 use super::verify::{Judgement, Truth, flicker};
 use super::{RunRequest, Verifier};
+use crate::gpu::Gpu;
 use crate::image::Image;
+use crate::metrics::Flicker;
 use crate::reference::Motion;
 use crate::scene::{CameraPath, Scene};
+use anyhow::Context;
 
 /// How much later the next frame is whose errors are compared for flicker: one of 60 a second.
 const FRAME_S: f64 = 1.0 / 60.0;
@@ -16,14 +20,16 @@ const FRAME_S: f64 = 1.0 / 60.0;
 const MOST_REGIONS: usize = 8;
 
 /// Compares every method with the truth in some frames of the flight, and keeps the pictures of the
-/// first. `verifiers` has one for each stage that cells are drawn on.
+/// first. `verifiers` has one for each stage that cells are drawn on. A cell that cannot be compared ends; where
+/// the device is lost, all ends. Frames that were compared already, on a device that was lost, are not again.
 pub(super) fn verify_cells(
     request: &RunRequest<'_>,
+    gpu: &Gpu,
     scene: &Scene,
     verifiers: &[Verifier<'_>],
     cells: &mut [CellRun<'_>],
     dir: &mut RunDir,
-) -> anyhow::Result<()> {
+) -> Result<(), RunDirError> {
     let size_px = request.plan.size_px;
     let times_s = request.plan.verified_times(&scene.camera);
     let is_used = |stage: usize| {
@@ -43,17 +49,41 @@ pub(super) fn verify_cells(
                 "{}: tracing the truth at {time_s:.1} s",
                 scene.name
             ));
-            let moment = Moment::new(request, verifier, &scene.camera, time_s)?;
+            let waits = |run: &CellRun<'_>| {
+                run.stage == stage && run.prepared().is_some() && run.errors.len() <= frame as usize
+            };
+            if !cells.iter().any(waits) {
+                continue;
+            }
+            let place = format!("verifying at {time_s:.1} s of the flight");
+            let moment = match Moment::new(request, verifier, &scene.camera, time_s) {
+                Ok(moment) => moment,
+                Err(error) => {
+                    let reason = in_one_line(&error.context(place));
+                    let waiting = cells.iter_mut().filter(|run| waits(run));
+                    waiting.for_each(|run| run.fail(&reason));
+                    match gpu.lost() {
+                        Some(_) => return Ok(()),
+                        None => continue,
+                    }
+                }
+            };
             if frame == 0 && stage == used[0] {
                 let grey = moment.truth.mask.to_grey();
                 let image = Image::grey(size_px, &grey);
                 dir.write_image((&scene.name, "", ""), ImageKind::Reference, &image)?;
             }
-            for run in cells.iter_mut().filter(|run| run.stage == stage) {
+            for run in cells.iter_mut().filter(|run| waits(run)) {
                 if request.observer.interrupted() {
                     return Ok(());
                 }
-                verify_cell(request, &moment, (frame, time_s), run, dir)?;
+                match judge_cell(request, &moment, frame, run) {
+                    Ok(judged) => keep(request, judged, (frame, time_s), run, dir)?,
+                    Err(error) => run.fail(&in_one_line(&error.context(place.clone()))),
+                }
+                if gpu.lost().is_some() {
+                    return Ok(());
+                }
             }
         }
     }
@@ -106,17 +136,23 @@ impl<'a> Moment<'a> {
     }
 }
 
-/// Judges one method at one moment, and keeps what it found.
-fn verify_cell(
+/// What came of one method at one moment.
+struct Judged {
+    mask: Vec<u8>,
+    picture: Option<Vec<u8>>,
+    judgement: Judgement,
+    flicker: Option<Flicker>,
+    flip: Option<f64>,
+}
+
+/// Judges one method at one moment.
+fn judge_cell(
     request: &RunRequest<'_>,
     moment: &Moment<'_>,
-    (frame, time_s): (u32, f64),
-    run: &mut CellRun<'_>,
-    dir: &mut RunDir,
-) -> anyhow::Result<()> {
-    let Some(prepared) = run.prepared() else {
-        return Ok(());
-    };
+    frame: u32,
+    run: &CellRun<'_>,
+) -> anyhow::Result<Judged> {
+    let prepared = run.prepared().context("it is not ready to be drawn")?;
     let (verifier, truth, cell) = (moment.verifier, &moment.truth, &run.cell);
     let text = format!("{}: verifying {}", cell.scene, cell.method);
     request.observer.phase(&text);
@@ -137,6 +173,31 @@ fn verify_cell(
         (Some(truth), Some(picture)) => Some(verifier.flip(&moment.truth, truth, picture)?),
         _ => None,
     };
+    Ok(Judged {
+        mask,
+        picture,
+        judgement,
+        flicker,
+        flip,
+    })
+}
+
+/// Keeps what was found.
+fn keep(
+    request: &RunRequest<'_>,
+    judged: Judged,
+    (frame, time_s): (u32, f64),
+    run: &mut CellRun<'_>,
+    dir: &mut RunDir,
+) -> Result<(), RunDirError> {
+    let Judged {
+        mask,
+        picture,
+        judgement,
+        flicker,
+        flip,
+    } = judged;
+    let cell = &run.cell;
     if let Some(picture) = picture.filter(|_| frame == 0) {
         let size_px = request.plan.size_px;
         let cell = (&*cell.scene, &*cell.method, &*cell.variant);

@@ -70,6 +70,10 @@ pub(super) fn execute(args: &FuzzArgs) -> anyhow::Result<()> {
             "{undeclared} pictures are wrong in a way that no limit of the method declares"
         );
     }
+    let failed: u64 = tallies.iter().map(|tally| tally.failed).sum();
+    if failed > 0 {
+        anyhow::bail!("{failed} pictures could not be drawn; the table has the reasons");
+    }
     if progress.interrupted() {
         anyhow::bail!("interrupted");
     }
@@ -153,6 +157,12 @@ fn table(methods: &[Box<dyn ShadowMethod>], tallies: &[Tally]) -> String {
         ));
         if let Some(reason) = &tally.unavailable {
             text.push_str(&format!("          not available: {reason}\n"));
+        }
+        if let Some(failure) = &tally.failure {
+            let failed = tally.failed;
+            text.push_str(&format!(
+                "          {failed} not drawn, the last: {failure}\n"
+            ));
         }
     }
     text

@@ -6,8 +6,7 @@ use crate::gpu::Requirement;
 use crate::methods::{REGISTRY, ShadowMethod, parameters};
 use crate::scene::{Scene, SceneError};
 use crate::stress::metamorphic::{self, Difference};
-use crate::stress::{Change, Studio, damage, random};
-use anyhow::Context;
+use crate::stress::{Change, NoPicture, Studio, damage, random};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use std::collections::BTreeSet;
@@ -49,12 +48,14 @@ struct Row {
 }
 
 /// What is the same for all scenes, and what came of them.
-struct Checks<'a> {
-    studio: Studio<'a>,
+struct Checks {
+    studio: Studio,
     methods: Vec<Box<dyn ShadowMethod>>,
     unavailable: BTreeSet<String>,
     /// Masks that changed and may not.
     wrong: usize,
+    /// Masks and scenes of which nothing is known, because something broke.
+    failed: usize,
 }
 
 #[allow(clippy::print_stdout, reason = "the table is this command's result")]
@@ -68,20 +69,21 @@ pub(super) fn execute(args: &MetamorphicArgs) -> anyhow::Result<()> {
         methods,
         unavailable: BTreeSet::new(),
         wrong: 0,
+        failed: 0,
     };
     let mut rows = Vec::new();
     for scene in &scenes {
         let mut random = ChaCha8Rng::seed_from_u64(args.seed);
         for scene in [scene, &damage(scene, DAMAGED_SHARE, &mut random)] {
             let mut row = Row::new(scene.name.clone());
-            checks.check(&mut row, scene, args.seed)?;
+            checks.check(&mut row, scene, args.seed);
             rows.push(row);
         }
     }
     if args.soups > 0 {
         let mut row = Row::new(format!("{} random scenes", args.soups));
         for seed in (args.seed..).take(args.soups as usize) {
-            checks.check(&mut row, &random::case(seed), seed)?;
+            checks.check(&mut row, &random::case(seed), seed);
         }
         rows.push(row);
     }
@@ -90,22 +92,34 @@ pub(super) fn execute(args: &MetamorphicArgs) -> anyhow::Result<()> {
     }
     print!("{}", table(&rows));
     args.device.check_validation()?;
-    match checks.wrong {
-        0 => Ok(()),
-        wrong => anyhow::bail!("{wrong} masks changed that may not"),
+    match (checks.wrong, checks.failed) {
+        (0, 0) => Ok(()),
+        (0, failed) => anyhow::bail!("{failed} comparisons broke, see above"),
+        (wrong, _) => anyhow::bail!("{wrong} masks changed that may not"),
     }
 }
 
-impl Checks<'_> {
+impl Checks {
     #[allow(clippy::print_stdout, reason = "failures are told as they come")]
-    fn check(&mut self, row: &mut Row, scene: &Scene, seed: u64) -> anyhow::Result<()> {
+    fn check(&mut self, row: &mut Row, scene: &Scene, seed: u64) {
         let mut random = ChaCha8Rng::seed_from_u64(seed);
-        let differences = metamorphic::check(&self.studio, scene, &self.methods, &mut random)
-            .with_context(|| format!("scene `{}`", scene.name))?;
+        let checked = metamorphic::check(&self.studio, scene, &self.methods, &mut random);
+        let differences = checked.unwrap_or_else(|error| {
+            self.failed += 1;
+            println!("{}: {error:#}", scene.name);
+            Vec::new()
+        });
         for difference in &differences {
-            if let Err(reason) = &difference.pixels {
-                let method = &difference.method;
-                self.unavailable.insert(format!("{method}: {reason}"));
+            let (method, change) = (&difference.method, difference.change.id());
+            match &difference.pixels {
+                Ok(_) => {}
+                Err(NoPicture::Unavailable(reason)) => {
+                    self.unavailable.insert(format!("{method}: {reason}"));
+                }
+                Err(NoPicture::Failed(reason)) => {
+                    self.failed += 1;
+                    println!("{}, {change}, {method}: {reason}", scene.name);
+                }
             }
             if difference.wrong_px() > 0 {
                 self.wrong += 1;
@@ -113,7 +127,6 @@ impl Checks<'_> {
             }
             row.add(difference);
         }
-        Ok(())
     }
 }
 
@@ -164,7 +177,7 @@ fn line(scene: &Scene, difference: &Difference) -> String {
         method,
         pixels,
     } = difference;
-    let pixels = pixels.clone().unwrap_or_default();
+    let pixels = pixels.as_ref().copied().unwrap_or_default();
     let example = pixels
         .example
         .map_or(String::new(), |(x, y)| format!(", first at {x}, {y}"));

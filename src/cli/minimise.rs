@@ -7,7 +7,7 @@ use crate::bench::Observer;
 use crate::methods::{ShadowMethod, parameters};
 use crate::scene::{CameraKey, CameraPath, ModelSearch, Scene, SceneFile, View, export};
 use crate::stress::minimise::{MinimiseError, Minimised, minimise};
-use crate::stress::{Attempt, Drawn, Studio};
+use crate::stress::{Attempt, Drawn, NoPicture, Studio};
 use anyhow::Context;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
@@ -106,7 +106,7 @@ pub(super) fn execute(args: &MinimiseArgs) -> anyhow::Result<()> {
 /// The scene as small as can be, or in words why not.
 fn search(
     scene: &Scene,
-    studio: &Studio<'_>,
+    studio: &Studio,
     methods: &[Box<dyn ShadowMethod>; 1],
     args: &MinimiseArgs,
     watch: &Limited<'_>,
@@ -114,7 +114,7 @@ fn search(
     let mut unavailable = None;
     let mut fails = |scene: &Scene| {
         let attempt = attempt(studio, scene, methods)?;
-        if let Attempt::Unavailable(reason) = &attempt {
+        if let Attempt::Missing(NoPicture::Unavailable(reason)) = &attempt {
             unavailable.get_or_insert_with(|| reason.clone());
         }
         Ok(attempt.artifact_px() > 0)
@@ -158,15 +158,16 @@ fn still(scene: Scene, view: &View, method: &str) -> Scene {
 }
 
 fn attempt(
-    studio: &Studio<'_>,
+    studio: &Studio,
     scene: &Scene,
     methods: &[Box<dyn ShadowMethod>; 1],
 ) -> anyhow::Result<Attempt> {
-    let attempts = studio.judge(scene, methods)?.attempts;
-    attempts
-        .into_iter()
-        .next()
-        .context("a method has an attempt")
+    let attempts = studio.judge(scene, methods).attempts;
+    let attempt = attempts.into_iter().next();
+    match attempt.context("a method has an attempt")? {
+        Attempt::Missing(NoPicture::Failed(reason)) => anyhow::bail!(reason),
+        attempt => Ok(attempt),
+    }
 }
 
 fn nothing_to_shrink(scene: &Scene, args: &MinimiseArgs) -> String {
@@ -180,7 +181,7 @@ fn nothing_to_shrink(scene: &Scene, args: &MinimiseArgs) -> String {
 
 /// Reads what was written and draws it.
 fn judge_again(
-    studio: &Studio<'_>,
+    studio: &Studio,
     path: &Path,
     written: &Scene,
     methods: &[Box<dyn ShadowMethod>; 1],
@@ -196,7 +197,7 @@ fn judge_again(
     match attempt(studio, &scene, methods)? {
         Attempt::Drawn(drawn) if drawn.judgement.error.artifact_px > 0 => Ok(drawn),
         Attempt::Drawn(_) => anyhow::bail!("{}: failed, but does not now", path.display()),
-        Attempt::Unavailable(reason) => anyhow::bail!("{}: {reason}", path.display()),
+        Attempt::Missing(missing) => anyhow::bail!("{}: {}", path.display(), missing.reason()),
     }
 }
 

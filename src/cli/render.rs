@@ -6,7 +6,7 @@ use crate::bench::Verifier;
 use crate::frame::Stage;
 use crate::gpu::{FrameTimer, StageTimes};
 use crate::image::Image;
-use crate::methods::{MethodError, PrepareContext, parameters};
+use crate::methods::{self, MethodError, PrepareContext, parameters};
 use crate::metrics::MaskError;
 use anyhow::Context;
 use serde::Serialize;
@@ -84,10 +84,9 @@ pub(super) fn execute(args: &RenderArgs) -> anyhow::Result<()> {
     info.check(&gpu).map_err(MethodError::Unavailable)?;
     let depth = method.depth_setup();
     depth.check(&gpu).map_err(MethodError::Unavailable)?;
-    let stage = Stage::new(&gpu, &scene, width, height).with_depth(&gpu, depth);
+    let stage = Stage::new(&gpu, &scene, width, height)?.with_depth(&gpu, depth)?;
     let context = PrepareContext::new(&gpu, &scene, &stage);
-    let prepared = method
-        .prepare(&context)
+    let prepared = methods::prepare(method.as_ref(), &context)
         .with_context(|| format!("method `{}`", info.id))?;
 
     let cache = reference_cache();

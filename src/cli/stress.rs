@@ -78,10 +78,15 @@ pub(super) fn execute(args: &StressArgs) -> anyhow::Result<()> {
     if !info.complete {
         anyhow::bail!("interrupted; what was tried is in {}", out.display());
     }
-    let is_undeclared = |outcome: Outcome| outcome == Outcome::Undeclared;
-    match rows.iter().filter(|row| is_undeclared(row.outcome)).count() {
-        0 => Ok(()),
-        count => anyhow::bail!(
+    let count = |outcome| rows.iter().filter(|row| row.outcome == outcome).count();
+    match (count(Outcome::Undeclared), count(Outcome::Failed)) {
+        (0, 0) => Ok(()),
+        (0, failed) => anyhow::bail!(
+            "{failed} of {} pictures could not be drawn; {} has the reasons",
+            rows.len(),
+            page.display()
+        ),
+        (count, _) => anyhow::bail!(
             "{count} of {} pictures are wrong in a way that no limit of the method declares; {} shows the first of each method and cause",
             rows.len(),
             page.display()

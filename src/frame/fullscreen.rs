@@ -1,16 +1,17 @@
 //! Passes that run one fragment a pixel, and the bindings that they read.
 
-/// A layout of consecutive bindings, visible to fragments.
+/// A layout of consecutive bindings, visible to `stages`.
 pub fn bind_group_layout(
     device: &wgpu::Device,
     label: &str,
+    stages: wgpu::ShaderStages,
     types: &[wgpu::BindingType],
 ) -> wgpu::BindGroupLayout {
     let entries: Vec<_> = (0..)
         .zip(types)
         .map(|(binding, ty)| wgpu::BindGroupLayoutEntry {
             binding,
-            visibility: wgpu::ShaderStages::FRAGMENT,
+            visibility: stages,
             ty: *ty,
             count: None,
         })

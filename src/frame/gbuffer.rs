@@ -11,13 +11,18 @@ pub struct GBuffer {
 }
 
 impl GBuffer {
-    pub(super) fn new(gpu: &Gpu, uniform: &FrameUniform, depth: DepthSetup) -> Self {
+    pub(super) fn new(
+        gpu: &Gpu,
+        uniform: &FrameUniform,
+        scene: &SceneBuffers,
+        depth: DepthSetup,
+    ) -> Self {
         let module = shader::wgsl(&gpu.device, "frame/gbuffer.wgsl");
         let layout = gpu
             .device
             .create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
                 label: Some("gbuffer"),
-                bind_group_layouts: &[Some(&uniform.layout)],
+                bind_group_layouts: &[Some(&uniform.layout), Some(&scene.layout)],
                 ..Default::default()
             });
         let pipeline = gpu
@@ -29,7 +34,7 @@ impl GBuffer {
                     module: &module,
                     entry_point: Some("vertex"),
                     compilation_options: wgpu::PipelineCompilationOptions::default(),
-                    buffers: &[Some(SceneBuffers::vertex_layout())],
+                    buffers: &[],
                 },
                 // Both sides of every surface are drawn: open meshes show their backs, and a front cap
                 // on the far plane is exact only if its caster is in the depth buffer.
@@ -91,6 +96,7 @@ impl GBuffer {
         });
         pass.set_pipeline(&self.pipeline);
         pass.set_bind_group(0, &uniform.bind_group, &[]);
-        scene.draw(&mut pass, &scene.objects)
+        pass.set_bind_group(1, &scene.bind_group, &[]);
+        scene.draw_corners(&mut pass)
     }
 }

@@ -26,7 +26,7 @@ pub use uniform::FrameUniform;
 pub use view::{FrameView, SceneExtents};
 pub use visible_triangles::VisibleTriangles;
 
-use crate::gpu::{FrameRecorder, Gpu, readback};
+use crate::gpu::{DeviceError, FrameRecorder, Gpu, readback};
 use crate::methods::PreparedMethod;
 use crate::scene::{Scene, View};
 use std::cell::Cell;
@@ -57,8 +57,11 @@ pub struct Stage {
 
 impl Stage {
     /// Uploads `scene` and makes targets of `width` × `height` pixels.
-    pub fn new(gpu: &Gpu, scene: &Scene, width: u32, height: u32) -> Self {
-        let buffers = Rc::new(SceneBuffers::new(gpu, &scene.mesh));
+    ///
+    /// # Errors
+    /// When the device cannot hold them.
+    pub fn new(gpu: &Gpu, scene: &Scene, width: u32, height: u32) -> Result<Self, DeviceError> {
+        let buffers = Rc::new(SceneBuffers::new(gpu, &scene.mesh)?);
         let extents = Rc::new(SceneExtents::new(&scene.mesh));
         Self::of_buffers(
             gpu,
@@ -71,26 +74,32 @@ impl Stage {
 
     /// A stage for each of the setups that the device can draw with (see [`DepthSetup::check`]), each once;
     /// the first is the usual one.
+    ///
+    /// # Errors
+    /// When the device cannot hold them.
     pub fn for_setups(
         gpu: &Gpu,
         scene: &Scene,
         (width, height): (u32, u32),
         setups: impl IntoIterator<Item = DepthSetup>,
-    ) -> Vec<Self> {
-        let mut stages = vec![Self::new(gpu, scene, width, height)];
+    ) -> Result<Vec<Self>, DeviceError> {
+        let mut stages = vec![Self::new(gpu, scene, width, height)?];
         for setup in setups {
             let is_known = stages.iter().any(|stage| stage.depth == setup);
             if !is_known && setup.check(gpu).is_ok() {
-                let stage = stages[0].with_depth(gpu, setup);
+                let stage = stages[0].with_depth(gpu, setup)?;
                 stages.push(stage);
             }
         }
-        stages
+        Ok(stages)
     }
 
     /// The same scene and size with another depth buffer, which the device can draw with (see
     /// [`DepthSetup::check`]).
-    pub fn with_depth(&self, gpu: &Gpu, depth: DepthSetup) -> Self {
+    ///
+    /// # Errors
+    /// When the device cannot hold it.
+    pub fn with_depth(&self, gpu: &Gpu, depth: DepthSetup) -> Result<Self, DeviceError> {
         let size_px = (self.targets.width, self.targets.height);
         let (scene, extents) = (Rc::clone(&self.scene), Rc::clone(&self.extents));
         Self::of_buffers(gpu, scene, extents, size_px, depth)
@@ -102,23 +111,25 @@ impl Stage {
         extents: Rc<SceneExtents>,
         (width, height): (u32, u32),
         depth: DepthSetup,
-    ) -> Self {
-        let targets = Targets::new(gpu, width, height, depth);
-        let uniform = FrameUniform::new(gpu);
-        let gbuffer = GBuffer::new(gpu, &uniform, depth);
-        let visible_triangles = VisibleTriangles::new(gpu, &uniform, &scene, &targets);
-        let shade = Shade::new(gpu, &uniform, &scene, &targets);
-        Self {
-            scene,
-            targets,
-            uniform,
-            extents,
-            depth,
-            view: Cell::new(None),
-            gbuffer,
-            visible_triangles,
-            shade,
-        }
+    ) -> Result<Self, DeviceError> {
+        gpu.attempt(|| {
+            let targets = Targets::new(gpu, width, height, depth)?;
+            let uniform = FrameUniform::new(gpu);
+            let gbuffer = GBuffer::new(gpu, &uniform, &scene, depth);
+            let visible_triangles = VisibleTriangles::new(gpu, &uniform, &scene, &targets);
+            let shade = Shade::new(gpu, &uniform, &scene, &targets);
+            Ok(Self {
+                scene,
+                targets,
+                uniform,
+                extents,
+                depth,
+                view: Cell::new(None),
+                gbuffer,
+                visible_triangles,
+                shade,
+            })
+        })
     }
 
     /// Sets view and light of the frames recorded from now on.
@@ -154,10 +165,12 @@ impl Stage {
     /// # Errors
     /// When the device is lost.
     pub fn draw_mask(&self, gpu: &Gpu, method: &dyn PreparedMethod) -> anyhow::Result<Vec<u8>> {
-        let mut frame = FrameRecorder::untimed(gpu);
-        self.record(&mut frame, method);
-        frame.submit();
-        readback::read_texture(gpu, &self.targets.mask)
+        gpu.attempt(|| {
+            let mut frame = FrameRecorder::untimed(gpu);
+            self.record(&mut frame, method);
+            frame.submit();
+            readback::read_texture(gpu, &self.targets.mask)
+        })
     }
 
     /// Records the last stage alone: shades with the mask as it is.

@@ -1,10 +1,9 @@
 //! A scene's triangles in device memory.
 
 use super::fullscreen::{bind_group, bind_group_layout};
-use crate::gpu::Gpu;
+use crate::gpu::{DeviceError, Gpu};
 use crate::scene::Mesh;
 use std::ops::Range;
-use wgpu::util::DeviceExt;
 
 /// Vertex and element buffers of all objects, and which part belongs to which.
 pub struct SceneBuffers {
@@ -14,7 +13,7 @@ pub struct SceneBuffers {
     pub indices: wgpu::Buffer,
     /// Layout of `bind_group`.
     pub layout: wgpu::BindGroupLayout,
-    /// Positions and indices as storage buffers, for fragments that look up their triangle.
+    /// Positions and indices as storage buffers, for shaders that fetch vertices or look up a triangle.
     pub bind_group: wgpu::BindGroup,
     /// Triangles of each object, in drawing order.
     pub objects: Vec<Range<u32>>,
@@ -22,40 +21,50 @@ pub struct SceneBuffers {
     pub casters: Vec<Range<u32>>,
 }
 
+/// Three indices.
+const TRIANGLE_BYTES: u64 = 12;
+
+fn indices_name(triangles: u64) -> String {
+    format!("the indices of {triangles} triangles")
+}
+
 impl SceneBuffers {
     /// Bytes from one vertex to the next: xyz and a 1, so that storage buffers can read `vec4`.
     pub const VERTEX_STRIDE: u64 = 16;
 
     /// Uploads `mesh`.
-    pub fn new(gpu: &Gpu, mesh: &Mesh) -> Self {
+    ///
+    /// # Errors
+    /// When it is larger than the device can hold, or bind for shaders.
+    pub fn new(gpu: &Gpu, mesh: &Mesh) -> Result<Self, DeviceError> {
+        let vertices = mesh.positions.len() as u64;
+        let triangles = mesh.triangles.len() as u64;
+        let vertices_name = format!("the positions of {vertices} vertices");
+        // Both are looked at before anything is copied.
+        let storage = wgpu::BufferUsages::STORAGE;
+        Self::check(gpu, triangles)?;
+        gpu.check_buffer(&vertices_name, Self::VERTEX_STRIDE * vertices, storage)?;
         let positions: Vec<_> = mesh.positions.iter().map(|p| p.extend(1.0)).collect();
-        let buffer = |label, contents: &[u8], usage| {
-            gpu.device
-                .create_buffer_init(&wgpu::util::BufferInitDescriptor {
-                    label: Some(label),
-                    contents,
-                    usage: usage | wgpu::BufferUsages::STORAGE,
-                })
-        };
-        let positions = buffer(
-            "positions",
+        let positions = gpu.buffer(
+            &vertices_name,
             bytemuck::cast_slice(&positions),
-            wgpu::BufferUsages::VERTEX,
-        );
-        let indices = buffer(
-            "indices",
+            storage | wgpu::BufferUsages::VERTEX,
+        )?;
+        let indices = gpu.buffer(
+            &indices_name(triangles),
             bytemuck::cast_slice(&mesh.triangles),
-            wgpu::BufferUsages::INDEX,
-        );
+            storage | wgpu::BufferUsages::INDEX,
+        )?;
         let read_only = wgpu::BindingType::Buffer {
             ty: wgpu::BufferBindingType::Storage { read_only: true },
             has_dynamic_offset: false,
             min_binding_size: None,
         };
-        let layout = bind_group_layout(&gpu.device, "geometry", &[read_only; 2]);
+        let stages = wgpu::ShaderStages::VERTEX_FRAGMENT;
+        let layout = bind_group_layout(&gpu.device, "geometry", stages, &[read_only; 2]);
         let resources = [positions.as_entire_binding(), indices.as_entire_binding()];
         let bind_group = bind_group(&gpu.device, &layout, &resources);
-        Self {
+        Ok(Self {
             positions,
             indices,
             layout,
@@ -69,7 +78,16 @@ impl SceneBuffers {
                 .casters()
                 .map(|object| object.triangles.clone())
                 .collect(),
-        }
+        })
+    }
+
+    /// Whether the device can take so many triangles, for meshes that are not there yet.
+    ///
+    /// # Errors
+    /// When it cannot.
+    pub fn check(gpu: &Gpu, triangles: u64) -> Result<(), DeviceError> {
+        let bytes = TRIANGLE_BYTES.saturating_mul(triangles);
+        gpu.check_buffer(&indices_name(triangles), bytes, wgpu::BufferUsages::STORAGE)
     }
 
     /// Layout of the positions as a vertex buffer, at shader location 0.
@@ -85,16 +103,25 @@ impl SceneBuffers {
         }
     }
 
-    /// Draws `objects`, one call each; the instance number is the object's first triangle. Gives the
-    /// number of draw calls.
+    /// Draws the corners of all triangles, a call for each object; the number of a vertex is that of its place
+    /// in `indices`. Gives the number of draw calls.
+    pub fn draw_corners(&self, pass: &mut wgpu::RenderPass<'_>) -> u32 {
+        let mut draw_calls = 0;
+        for triangles in self.objects.iter().filter(|object| !object.is_empty()) {
+            draw_calls += 1;
+            pass.draw(3 * triangles.start..3 * triangles.end, 0..1);
+        }
+        draw_calls
+    }
+
+    /// Draws `objects`, one call each. Gives the number of draw calls.
     pub fn draw(&self, pass: &mut wgpu::RenderPass<'_>, objects: &[Range<u32>]) -> u32 {
         pass.set_vertex_buffer(0, self.positions.slice(..));
         pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint32);
         let mut draw_calls = 0;
         for triangles in objects.iter().filter(|triangles| !triangles.is_empty()) {
             draw_calls += 1;
-            let first = triangles.start;
-            pass.draw_indexed(3 * first..3 * triangles.end, 0, first..first + 1);
+            pass.draw_indexed(3 * triangles.start..3 * triangles.end, 0, 0..1);
         }
         draw_calls
     }

@@ -23,6 +23,7 @@ impl Shade {
         let input_layout = bind_group_layout(
             device,
             "shade inputs",
+            wgpu::ShaderStages::FRAGMENT,
             &[
                 texture_binding(wgpu::TextureSampleType::Uint),
                 texture_binding(wgpu::TextureSampleType::Float { filterable: false }),

@@ -1,7 +1,7 @@
 //! The textures that a frame is drawn into.
 
 use super::DepthSetup;
-use crate::gpu::Gpu;
+use crate::gpu::{DeviceError, Gpu};
 
 /// All targets of a frame, of one size.
 pub struct Targets {
@@ -38,9 +38,12 @@ pub const COLOUR_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 
 impl Targets {
     /// Targets of `width` × `height` pixels.
-    pub fn new(gpu: &Gpu, width: u32, height: u32, depth: DepthSetup) -> Self {
+    ///
+    /// # Errors
+    /// When the device cannot hold them.
+    pub fn new(gpu: &Gpu, width: u32, height: u32, depth: DepthSetup) -> Result<Self, DeviceError> {
         let texture = |label, format, usage| {
-            gpu.device.create_texture(&wgpu::TextureDescriptor {
+            gpu.texture(&wgpu::TextureDescriptor {
                 label: Some(label),
                 size: wgpu::Extent3d {
                     width,
@@ -57,18 +60,22 @@ impl Targets {
         };
         let read = wgpu::TextureUsages::COPY_SRC;
         let sample = wgpu::TextureUsages::TEXTURE_BINDING;
-        let depth = texture("depth", depth.texture_format(gpu), read | sample);
-        let triangle_ids = texture("triangle ids", TRIANGLE_ID_FORMAT, read | sample);
+        let depth = texture("a depth buffer", depth.texture_format(gpu), read | sample)?;
+        let triangle_ids = texture(
+            "a picture of triangle numbers",
+            TRIANGLE_ID_FORMAT,
+            read | sample,
+        )?;
         let write = wgpu::TextureUsages::COPY_DST;
-        let mask = texture("shadow mask", MASK_FORMAT, read | sample | write);
-        let colour = texture("colour", COLOUR_FORMAT, read);
+        let mask = texture("a shadow mask", MASK_FORMAT, read | sample | write)?;
+        let colour = texture("a picture", COLOUR_FORMAT, read)?;
         let view = |texture: &wgpu::Texture, aspect| {
             texture.create_view(&wgpu::TextureViewDescriptor {
                 aspect,
                 ..Default::default()
             })
         };
-        Self {
+        Ok(Self {
             width,
             height,
             depth_view: view(&depth, wgpu::TextureAspect::All),
@@ -80,7 +87,7 @@ impl Targets {
             triangle_ids,
             mask,
             colour,
-        }
+        })
     }
 
     /// Replaces the shadow mask, for a picture with shadows that no method drew.

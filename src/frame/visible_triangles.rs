@@ -22,7 +22,8 @@ impl VisibleTriangles {
     ) -> Self {
         let device = &gpu.device;
         let types = [texture_binding(wgpu::TextureSampleType::Uint)];
-        let ids_layout = bind_group_layout(device, "triangle ids", &types);
+        let ids_layout =
+            bind_group_layout(device, "triangle ids", wgpu::ShaderStages::FRAGMENT, &types);
         let ids = wgpu::BindingResource::TextureView(&targets.triangle_ids_view);
         let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
             label: Some("visible triangles"),

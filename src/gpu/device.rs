@@ -1,8 +1,11 @@
 //! Choosing an adapter and opening it.
 
+use super::fault::{DeviceError, Faults, poll};
 use super::messages;
 use super::native;
+use crate::memory;
 use serde::Serialize;
+use std::sync::Arc;
 
 /// What the caller wants of the device.
 #[derive(Debug, Clone, Default)]
@@ -94,7 +97,8 @@ pub struct DeviceSummary {
     pub unsuitable: Option<String>,
 }
 
-/// The opened device.
+/// The opened device. A clone is the same device.
+#[derive(Clone)]
 pub struct Gpu {
     /// wgpu's device.
     pub device: wgpu::Device,
@@ -104,13 +108,24 @@ pub struct Gpu {
     pub info: wgpu::AdapterInfo,
     /// Which native stages were switched on.
     pub stages: native::StageSupport,
+    pub(super) memory: MemoryLimits,
     depth_format: wgpu::TextureFormat,
+    faults: Arc<Faults>,
+    options: GpuOptions,
 }
 
-/// Every run times its stages, and the G-buffer names the triangle that each pixel shows.
-const REQUIRED: wgpu::Features = wgpu::Features::TIMESTAMP_QUERY
-    .union(wgpu::Features::TIMESTAMP_QUERY_INSIDE_ENCODERS)
-    .union(wgpu::Features::PRIMITIVE_INDEX);
+/// What is known of memory when the device is opened.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct MemoryLimits {
+    /// The most bytes that it gives in one allocation.
+    pub(super) most_at_once: u64,
+    /// What the machine had left.
+    pub(super) host_at_opening: Option<u64>,
+}
+
+/// Every run times its stages.
+const REQUIRED: wgpu::Features =
+    wgpu::Features::TIMESTAMP_QUERY.union(wgpu::Features::TIMESTAMP_QUERY_INSIDE_ENCODERS);
 
 /// Used where the adapter has them.
 const OPTIONAL: wgpu::Features = wgpu::Features::DEPTH32FLOAT_STENCIL8;
@@ -137,6 +152,12 @@ impl Gpu {
         })?;
         let stencil = features.contains(wgpu::Features::DEPTH32FLOAT_STENCIL8);
         Ok(Self {
+            memory: MemoryLimits {
+                most_at_once: native::most_bytes_at_once(&opened.device),
+                host_at_opening: memory::available_bytes(),
+            },
+            faults: Faults::of(&opened.device),
+            options: options.clone(),
             device: opened.device,
             queue: opened.queue,
             info,
@@ -190,8 +211,50 @@ impl Gpu {
 
     /// Waits until all submitted work is done.
     pub fn wait_idle(&self) {
-        // A lost device ends the wait as well; the next submission will say so.
-        let _ = self.device.poll(wgpu::PollType::wait_indefinitely());
+        // A lost device ends the wait as well; the next attempt will say so.
+        let _ = poll(&self.device, wgpu::PollType::wait_indefinitely());
+    }
+
+    /// Does `work`. What the device has against any part of it is the error, rather than what followed from
+    /// that.
+    ///
+    /// # Errors
+    /// When the device is lost or refuses something, or `work` fails.
+    pub fn attempt<T, E: From<DeviceError>>(
+        &self,
+        work: impl FnOnce() -> Result<T, E>,
+    ) -> Result<T, E> {
+        if let Some(lost) = self.lost() {
+            return Err(lost.into());
+        }
+        let result = work();
+        let fault = self.faults.take();
+        if result.is_ok() && fault.is_none() {
+            return result;
+        }
+        // The device may be gone and not have said so yet.
+        let polled = poll(&self.device, wgpu::PollType::Poll);
+        let lost = self.lost();
+        if lost.is_some() {
+            native::settle(&self.device);
+        }
+        match lost.or(fault).or(polled.err()) {
+            Some(fault) => Err(fault.into()),
+            None => result,
+        }
+    }
+
+    /// The device's loss, if it is lost: nothing works on it any more.
+    pub fn lost(&self) -> Option<DeviceError> {
+        self.faults.lost()
+    }
+
+    /// The same adapter opened again, after a loss.
+    ///
+    /// # Errors
+    /// As [`Self::open`].
+    pub fn reopen(&self) -> Result<Self, GpuError> {
+        Self::open(&self.options)
     }
 }
 

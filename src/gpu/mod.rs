@@ -6,14 +6,17 @@
 
 mod depth;
 pub mod device;
+mod fault;
 pub mod messages;
 pub mod native;
 pub mod readback;
 pub mod recorder;
+mod resource;
 pub mod shader;
 pub mod timer;
 
 pub use depth::DepthDirection;
 pub use device::{DeviceSummary, Gpu, GpuError, GpuOptions, Requirement, list_devices};
+pub use fault::DeviceError;
 pub use recorder::FrameRecorder;
 pub use timer::{FrameTimer, StageTimes};

@@ -1,13 +1,14 @@
 //! Reading textures back to the CPU. Never used in a frame that is measured: it waits.
 
 use super::Gpu;
+use super::fault::poll;
 
 /// The texels of mip level 0 of a 2D texture, rows from the top, tightly packed.
 ///
 /// # Errors
 /// When the device is lost.
 pub fn read_texture(gpu: &Gpu, texture: &wgpu::Texture) -> anyhow::Result<Vec<u8>> {
-    read_aspect(gpu, texture, wgpu::TextureAspect::All)
+    gpu.attempt(|| read_aspect(gpu, texture, wgpu::TextureAspect::All))
 }
 
 /// The stencil counts of a depth-stencil texture, one byte a pixel, rows from the top.
@@ -15,7 +16,7 @@ pub fn read_texture(gpu: &Gpu, texture: &wgpu::Texture) -> anyhow::Result<Vec<u8
 /// # Errors
 /// When the device is lost.
 pub fn read_stencil(gpu: &Gpu, texture: &wgpu::Texture) -> anyhow::Result<Vec<u8>> {
-    read_aspect(gpu, texture, wgpu::TextureAspect::StencilOnly)
+    gpu.attempt(|| read_aspect(gpu, texture, wgpu::TextureAspect::StencilOnly))
 }
 
 fn read_aspect(
@@ -30,10 +31,13 @@ fn read_aspect(
     let (width, height) = (texture.width(), texture.height());
     let row_bytes = width * texel_bytes;
     let padded_row_bytes = row_bytes.next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
+    let size = u64::from(padded_row_bytes) * u64::from(height);
+    let usage = wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ;
+    gpu.check_buffer("the pixels read back", size, usage)?;
     let buffer = gpu.device.create_buffer(&wgpu::BufferDescriptor {
         label: Some("readback"),
-        size: u64::from(padded_row_bytes) * u64::from(height),
-        usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
+        size,
+        usage,
         mapped_at_creation: false,
     });
     let mut encoder = gpu
@@ -68,13 +72,17 @@ fn read_aspect(
 /// # Errors
 /// When the device is lost.
 pub fn read_buffer(gpu: &Gpu, buffer: &wgpu::Buffer) -> anyhow::Result<Vec<u8>> {
+    gpu.attempt(|| map(gpu, buffer))
+}
+
+fn map(gpu: &Gpu, buffer: &wgpu::Buffer) -> anyhow::Result<Vec<u8>> {
     let (sender, receiver) = std::sync::mpsc::channel();
     buffer.map_async(wgpu::MapMode::Read, .., move |result| {
         // The receiver lives until the end of this function.
         let _ = sender.send(result);
     });
-    gpu.device.poll(wgpu::PollType::wait_indefinitely())?;
-    receiver.recv()??;
+    poll(&gpu.device, wgpu::PollType::wait_indefinitely())?;
+    receiver.try_recv()??;
     let bytes = buffer.get_mapped_range(..)?.to_vec();
     buffer.unmap();
     Ok(bytes)

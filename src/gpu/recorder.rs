@@ -110,12 +110,34 @@ impl<'a> FrameRecorder<'a> {
         }
         self.finished.push(self.encoder.finish());
         let recorded = Instant::now();
+        if loss::is_due() {
+            self.gpu.device.destroy();
+            // wgpu tells of it once nothing is under way any more.
+            self.gpu.wait_idle();
+        }
         Submitted {
             stages: self.stages,
             submission: self.gpu.queue.submit(self.finished),
             draw_calls: self.draw_calls,
             recorded,
         }
+    }
+}
+
+/// A device that is lost on purpose, for tests of the program.
+mod loss {
+    use std::sync::LazyLock;
+    use std::sync::atomic::{AtomicU64, Ordering};
+
+    /// Frames of this process after which its device is lost, counted from 1 and separated by commas.
+    static DUE: LazyLock<Vec<u64>> = LazyLock::new(|| {
+        let frames = std::env::var("SVBENCH_TEST_LOSE_DEVICE").unwrap_or_default();
+        frames.split(',').filter_map(|n| n.parse().ok()).collect()
+    });
+    static FRAMES: AtomicU64 = AtomicU64::new(0);
+
+    pub(super) fn is_due() -> bool {
+        !DUE.is_empty() && DUE.contains(&(FRAMES.fetch_add(1, Ordering::Relaxed) + 1))
     }
 }
 

@@ -1,7 +1,9 @@
 //! GPU times of a frame's stages, read back frames later so that measuring never stalls.
 
+use super::fault::poll;
 use super::recorder::Submitted;
 use super::{FrameRecorder, Gpu};
+use anyhow::Context;
 use std::collections::VecDeque;
 use std::sync::mpsc::Receiver;
 use std::time::Instant;
@@ -106,9 +108,7 @@ impl<T> FrameTimer<T> {
     /// A timer for `gpu`.
     pub fn new(gpu: &Gpu) -> Self {
         Self {
-            free: (0..FRAMES_IN_FLIGHT)
-                .map(|_| Slot::new(&gpu.device))
-                .collect(),
+            free: Vec::new(),
             pending: VecDeque::new(),
             period_ns: f64::from(gpu.queue.get_timestamp_period()),
         }
@@ -125,34 +125,46 @@ impl<T> FrameTimer<T> {
         tag: T,
         record: impl FnOnce(&mut FrameRecorder<'_>),
     ) -> anyhow::Result<Option<(T, StageTimes)>> {
-        let (slot, done) = match self.free.pop() {
-            Some(slot) => (slot, None),
-            None => {
-                let (slot, done) = self.wait_for_oldest(gpu)?;
-                (slot, Some(done))
-            }
+        let done = self.make_room(gpu)?;
+        let slot = match self.free.pop() {
+            Some(slot) => slot,
+            None => gpu.attempt(|| Ok::<_, anyhow::Error>(Slot::new(&gpu.device)))?,
         };
-        let begin = Instant::now();
-        let mut recorder = FrameRecorder::new(gpu, Some(&slot));
-        record(&mut recorder);
-        let frame = recorder.submit_timed();
-        let cpu_ms = begin.elapsed().as_secs_f64() * 1e3;
-        let record_ms = (frame.recorded - begin).as_secs_f64() * 1e3;
-        let (sender, mapped) = std::sync::mpsc::channel();
-        slot.readable
-            .map_async(wgpu::MapMode::Read, .., move |result| {
-                // Nobody listens any more if the run was given up.
-                let _ = sender.send(result);
-            });
-        self.pending.push_back(Pending {
-            tag,
-            slot,
-            frame,
-            record_ms,
-            cpu_ms,
-            mapped,
-        });
+        let pending = gpu.attempt(|| {
+            let begin = Instant::now();
+            let mut recorder = FrameRecorder::new(gpu, Some(&slot));
+            record(&mut recorder);
+            let frame = recorder.submit_timed();
+            let cpu_ms = begin.elapsed().as_secs_f64() * 1e3;
+            let record_ms = (frame.recorded - begin).as_secs_f64() * 1e3;
+            let (sender, mapped) = std::sync::mpsc::channel();
+            slot.readable
+                .map_async(wgpu::MapMode::Read, .., move |result| {
+                    // Nobody listens any more if the run was given up.
+                    let _ = sender.send(result);
+                });
+            Ok::<_, anyhow::Error>(Pending {
+                tag,
+                slot,
+                frame,
+                record_ms,
+                cpu_ms,
+                mapped,
+            })
+        })?;
+        self.pending.push_back(pending);
         Ok(done)
+    }
+
+    /// Waits for the oldest frame if the limit of frames in flight is reached, so that [`Self::frame`] need not.
+    ///
+    /// # Errors
+    /// When the device is lost.
+    pub fn make_room(&mut self, gpu: &Gpu) -> anyhow::Result<Option<(T, StageTimes)>> {
+        match self.pending.len() {
+            FRAMES_IN_FLIGHT => self.finish_one(gpu),
+            _ => Ok(None),
+        }
     }
 
     /// Waits for all frames under way.
@@ -160,33 +172,48 @@ impl<T> FrameTimer<T> {
     /// # Errors
     /// When the device is lost.
     pub fn finish(&mut self, gpu: &Gpu) -> anyhow::Result<Vec<(T, StageTimes)>> {
-        let mut done = Vec::new();
-        while !self.pending.is_empty() {
-            let (slot, times) = self.wait_for_oldest(gpu)?;
-            self.free.push(slot);
-            done.push(times);
-        }
-        Ok(done)
+        std::iter::from_fn(|| self.finish_one(gpu).transpose()).collect()
     }
 
-    fn wait_for_oldest(&mut self, gpu: &Gpu) -> anyhow::Result<(Slot, (T, StageTimes))> {
+    /// Waits for the oldest of the frames under way; `None` if there are none.
+    ///
+    /// # Errors
+    /// When the device is lost.
+    pub fn finish_one(&mut self, gpu: &Gpu) -> anyhow::Result<Option<(T, StageTimes)>> {
+        gpu.attempt(|| self.wait_for_oldest(gpu))
+    }
+
+    /// The tag of the oldest frame under way, the first to come to its end: where the device was lost, the
+    /// frame that lost it.
+    pub fn under_way(&self) -> Option<&T> {
+        self.pending.front().map(|pending| &pending.tag)
+    }
+
+    fn wait_for_oldest(&mut self, gpu: &Gpu) -> anyhow::Result<Option<(T, StageTimes)>> {
+        let Some(oldest) = self.pending.front() else {
+            return Ok(None);
+        };
+        // Only for this frame: those submitted after it keep the device busy.
+        let wait = wgpu::PollType::Wait {
+            submission_index: Some(oldest.frame.submission.clone()),
+            timeout: None,
+        };
+        poll(&gpu.device, wait)?;
+        oldest
+            .mapped
+            .try_recv()
+            .context("a frame's times got lost")??;
         let Some(Pending {
             tag,
             slot,
             frame,
             record_ms,
             cpu_ms,
-            mapped,
+            ..
         }) = self.pending.pop_front()
         else {
-            unreachable!("every slot is either free or pending")
+            return Ok(None);
         };
-        // Only for this frame: those submitted after it keep the device busy.
-        gpu.device.poll(wgpu::PollType::Wait {
-            submission_index: Some(frame.submission),
-            timeout: None,
-        })?;
-        mapped.recv()??;
         let ticks: Vec<u64> = {
             let bytes = slot.readable.get_mapped_range(..)?;
             bytemuck::pod_collect_to_vec(&bytes)
@@ -200,6 +227,7 @@ impl<T> FrameTimer<T> {
             cpu_ms,
             draw_calls: frame.draw_calls,
         };
-        Ok((slot, (tag, times)))
+        self.free.push(slot);
+        Ok(Some((tag, times)))
     }
 }

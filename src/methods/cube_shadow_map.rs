@@ -12,7 +12,6 @@ use crate::gpu::FrameRecorder;
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec3, Mat4, Vec3, Vec4};
 use std::ops::Range;
-use wgpu::util::DeviceExt;
 
 /// What the method is.
 pub(super) static INFO: MethodInfo = MethodInfo {
@@ -159,14 +158,8 @@ impl PreparedCube {
     ) -> Result<Self, MethodError> {
         let gpu = context.gpu;
         let extents = &context.stage.extents;
-        let uniform = |contents: &[u8]| {
-            gpu.device
-                .create_buffer_init(&wgpu::util::BufferInitDescriptor {
-                    label: Some("light"),
-                    contents,
-                    usage: wgpu::BufferUsages::UNIFORM,
-                })
-        };
+        let uniform =
+            |contents: &[u8]| gpu.buffer("a light", contents, wgpu::BufferUsages::UNIFORM);
         let near = near_distance(extents.all_casters, light.as_dvec3());
         // Nearer is larger, so what pushes away is negative.
         let bias = wgpu::DepthBiasState {
@@ -178,9 +171,9 @@ impl PreparedCube {
         let map = light_depth::texture(gpu, parameters.resolution, 6)?;
         let casters = || context.stage.scene.casters.iter().zip(&extents.casters);
         let face = |(layer, axes): (u32, &FaceAxes)| {
-            let matrix = uniform(bytemuck::bytes_of(&axes.view_projection(light, near)));
+            let matrix = uniform(bytemuck::bytes_of(&axes.view_projection(light, near)))?;
             let layout = pipeline.get_bind_group_layout(0);
-            Face {
+            Ok::<_, MethodError>(Face {
                 layer: map.create_view(&wgpu::TextureViewDescriptor {
                     dimension: Some(wgpu::TextureViewDimension::D2),
                     base_array_layer: layer,
@@ -192,7 +185,7 @@ impl PreparedCube {
                     .filter(|(_, bounds)| axes.may_see(**bounds, light.as_dvec3()))
                     .map(|(object, _)| object.clone())
                     .collect(),
-            }
+            })
         };
         let axes = faces();
         let cube = uniform(bytemuck::bytes_of(&CubeData {
@@ -200,7 +193,7 @@ impl PreparedCube {
             up: axes.each_ref().map(|face| face.up.extend(0.0)),
             forward: axes.each_ref().map(|face| face.forward.extend(0.0)),
             light: light.extend(near),
-        }));
+        }))?;
         let dimension = wgpu::TextureViewDimension::D2Array;
         let whole = map.create_view(&wgpu::TextureViewDescriptor {
             dimension: Some(dimension),
@@ -208,7 +201,7 @@ impl PreparedCube {
         });
         let shader = "methods/cube_shadow_map/lookup.wgsl";
         Ok(Self {
-            faces: (0..).zip(&axes).map(face).collect(),
+            faces: (0..).zip(&axes).map(face).collect::<Result<_, _>>()?,
             lookup: Lookup::new(context, shader, (&whole, dimension), &cube, parameters.pcf),
             pipeline,
             light: light.as_dvec3(),

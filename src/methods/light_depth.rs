@@ -26,15 +26,8 @@ pub(super) fn texture(
     resolution: u32,
     layers: u32,
 ) -> Result<wgpu::Texture, MethodError> {
-    let largest = gpu.max_texture_px();
-    if resolution > largest {
-        return Err(MethodError::Parameter(format!(
-            "a map of {resolution} × {resolution} texels is larger than this device allows \
-             ({largest} × {largest})"
-        )));
-    }
-    Ok(gpu.device.create_texture(&wgpu::TextureDescriptor {
-        label: Some("shadow map"),
+    Ok(gpu.texture(&wgpu::TextureDescriptor {
+        label: Some("a shadow map"),
         size: wgpu::Extent3d {
             width: resolution,
             height: resolution,
@@ -46,7 +39,7 @@ pub(super) fn texture(
         format: FORMAT,
         usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::TEXTURE_BINDING,
         view_formats: &[],
-    }))
+    })?)
 }
 
 /// The pipeline that draws casters into a map; bind group 0 holds the light's matrix.
@@ -150,7 +143,9 @@ impl Lookup {
             has_dynamic_offset: false,
             min_binding_size: None,
         };
-        let input_layout = bind_group_layout(device, "lookup", &[depth, map_binding, uniform]);
+        let types = [depth, map_binding, uniform];
+        let fragment = wgpu::ShaderStages::FRAGMENT;
+        let input_layout = bind_group_layout(device, "lookup", fragment, &types);
         let resources = [
             wgpu::BindingResource::TextureView(&stage.targets.depth_only_view),
             wgpu::BindingResource::TextureView(map),

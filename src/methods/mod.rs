@@ -26,7 +26,7 @@ pub use registry::{REGISTRY, Registration, find};
 
 use crate::frame::{DepthSetup, Stage};
 use crate::geometry::Topology;
-use crate::gpu::{FrameRecorder, Gpu, Requirement};
+use crate::gpu::{DeviceError, FrameRecorder, Gpu, Requirement};
 use crate::scene::Scene;
 use glam::DVec3;
 use serde::Serialize;
@@ -89,6 +89,20 @@ pub enum MethodError {
     /// The driver refused.
     #[error(transparent)]
     Native(#[from] crate::gpu::native::NativeError),
+    /// The device has not what it takes, or is lost.
+    #[error(transparent)]
+    Device(#[from] DeviceError),
+}
+
+/// Makes `method` ready for a scene. The device meets [`MethodInfo::needs`].
+///
+/// # Errors
+/// When it cannot run on this scene or device.
+pub fn prepare(
+    method: &dyn ShadowMethod,
+    context: &PrepareContext<'_>,
+) -> Result<Box<dyn PreparedMethod>, MethodError> {
+    context.gpu.attempt(|| method.prepare(context))
 }
 
 /// What a method is prepared with: the scene, the shared stages, and what is derived from the mesh
@@ -111,6 +125,22 @@ impl<'a> PrepareContext<'a> {
             scene,
             stage,
             topology: Rc::default(),
+        }
+    }
+
+    /// For the methods of one scene, of whose topology somebody else keeps hold.
+    pub fn sharing(
+        gpu: &'a Gpu,
+        scene: &'a Scene,
+        stage: &'a Stage,
+        topology: &Rc<OnceCell<Topology>>,
+    ) -> Self {
+        let topology = Rc::clone(topology);
+        Self {
+            gpu,
+            scene,
+            stage,
+            topology,
         }
     }
 
@@ -188,7 +218,7 @@ pub trait ShadowMethod {
         None
     }
 
-    /// Makes it ready for a scene. The device meets [`MethodInfo::needs`].
+    /// Makes it ready for a scene, for [`prepare`](prepare()), which also hears what the device has against it.
     ///
     /// # Errors
     /// When it cannot run on this scene or device.

@@ -11,7 +11,6 @@ use crate::frame::fullscreen::bind_group;
 use crate::gpu::FrameRecorder;
 use crate::metrics::Label;
 use glam::DVec3;
-use wgpu::util::DeviceExt;
 
 /// What the method is.
 pub(super) static INFO: MethodInfo = MethodInfo {
@@ -96,13 +95,8 @@ impl PreparedMap {
         frustum: LightFrustum,
     ) -> Result<Self, MethodError> {
         let gpu = context.gpu;
-        let matrix = gpu
-            .device
-            .create_buffer_init(&wgpu::util::BufferInitDescriptor {
-                label: Some("light"),
-                contents: bytemuck::bytes_of(&frustum.view_projection),
-                usage: wgpu::BufferUsages::UNIFORM,
-            });
+        let matrix = bytemuck::bytes_of(&frustum.view_projection);
+        let matrix = gpu.buffer("a light", matrix, wgpu::BufferUsages::UNIFORM)?;
         let map = light_depth::texture(gpu, parameters.resolution, 1)?
             .create_view(&wgpu::TextureViewDescriptor::default());
         let bias = wgpu::DepthBiasState {

@@ -23,12 +23,20 @@ pub fn radians(degrees: f64) -> f32 {
     degrees.to_radians() as f32
 }
 
+/// A direction with length 1, whatever its length was.
+fn unit(direction: Vec3) -> Vec3 {
+    direction.as_dvec3().normalize().as_vec3()
+}
+
 /// Why there is no picture from a camera.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum CameraError {
     /// A number is NaN or infinite.
     #[error("a camera needs finite numbers")]
     NotFinite,
+    /// The numbers are finite, and what is computed of them is not.
+    #[error("the camera's numbers are too large or too small to make a picture with")]
+    TooExtreme,
     /// The eye and the target are the same point.
     #[error("the camera looks at the point where it is: move its eye or its target")]
     NoDirection,
@@ -61,6 +69,16 @@ pub struct CameraPathError {
     pub problem: CameraError,
 }
 
+/// Why a frame of a flight has no picture.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[error("no picture at {time_s} s of the flight: {problem}")]
+pub struct FrameError {
+    /// When on the flight.
+    pub time_s: f64,
+    /// What is wrong there.
+    pub problem: CameraError,
+}
+
 impl View {
     /// View space to clip space, for a picture `aspect` times as wide as high.
     ///
@@ -75,7 +93,7 @@ impl View {
     /// composed of rows instead of multiplied, and nothing is rounded there.
     pub fn view_projection(&self, aspect: f32) -> Mat4 {
         let backward = (self.eye - self.target).normalize();
-        let right = self.up.cross(backward).normalize();
+        let right = unit(self.up).cross(backward).normalize();
         let up = backward.cross(right);
         let view_rows = [right, up, backward].map(|axis| axis.extend(-axis.dot(self.eye)));
         let rows = self.clip_rows(aspect, view_rows);
@@ -114,14 +132,23 @@ impl View {
         if near <= 0.0 {
             return Err(CameraError::Near);
         }
+        if target == eye {
+            return Err(CameraError::NoDirection);
+        }
         let forward = (target - eye)
             .try_normalize()
-            .ok_or(CameraError::NoDirection)?;
-        let up = up.try_normalize().ok_or(CameraError::NoUp)?;
+            .ok_or(CameraError::TooExtreme)?;
+        if up == Vec3::ZERO {
+            return Err(CameraError::NoUp);
+        }
+        let up = unit(up);
         // Closer than this, rounding decides where right is.
         const SMALLEST_SINE: f32 = 1e-4;
         if forward.cross(up).length() < SMALLEST_SINE {
             return Err(CameraError::NoUp);
+        }
+        if !self.view_projection(1.0).is_finite() {
+            return Err(CameraError::TooExtreme);
         }
         Ok(())
     }
@@ -248,6 +275,17 @@ impl CameraPath {
         let (after, after_s) = slope(i, i + 1);
         // The shorter side weighs more.
         before.lerp(after, (before_s / (before_s + after_s)) as f32)
+    }
+
+    /// The first of some times on the flight at which there is no picture, and why.
+    ///
+    /// # Errors
+    /// When there is one.
+    pub fn check_times(&self, mut times_s: impl Iterator<Item = f64>) -> Result<(), FrameError> {
+        times_s.try_for_each(|time_s| {
+            let checked = self.view_at(time_s).validate();
+            checked.map_err(|problem| FrameError { time_s, problem })
+        })
     }
 
     /// Says what is wrong with the keys, if anything. Between good keys the flight may still pass

@@ -221,3 +221,74 @@ proptest! {
         prop_assert!((-1.0..=4.0).contains(&eye.x) && (eye.z - 5.0).abs() < 1e-5);
     }
 }
+
+#[test]
+fn numbers_that_overflow_make_no_picture() {
+    let view = view();
+    let extreme =
+        |view: View| assert_eq!(view.validate(), Err(CameraError::TooExtreme), "{view:?}");
+    extreme(View {
+        eye: Vec3::X * 3e38,
+        target: Vec3::X * -3e38,
+        ..view
+    });
+    // So near that the square of the distance is 0.
+    extreme(View {
+        eye: Vec3::X * 1e-30,
+        target: Vec3::Z * 1e-30,
+        ..view
+    });
+    extreme(View {
+        fov_y_rad: 1e-42,
+        ..view
+    });
+    extreme(View {
+        eye: Vec3::new(2e38, 0.0, 5.0),
+        target: Vec3::new(2e38, 0.0, 0.0),
+        ..view
+    });
+}
+
+#[test]
+fn the_length_of_up_does_not_matter() {
+    let view = view();
+    for length in [1e-40, 1e-20, 0.5, 1e20, 3e38] {
+        let same = View {
+            up: Vec3::Y * length,
+            ..view
+        };
+        assert_eq!(same.validate(), Ok(()), "{length}");
+        let up_one = View {
+            up: Vec3::Y,
+            ..view
+        };
+        assert_eq!(
+            same.view_projection(1.5),
+            up_one.view_projection(1.5),
+            "{length}"
+        );
+    }
+}
+
+#[test]
+fn the_first_time_without_a_picture_is_named() {
+    let key = |time_s, eye, target| CameraKey {
+        time_s,
+        eye,
+        target,
+    };
+    let (here, there) = (Vec3::Z * 6.0, Vec3::ZERO);
+    let path = CameraPath {
+        keys: vec![key(0.0, here, there), key(2.0, there, here)],
+        up: Vec3::Y,
+        fov_y_rad: 1.0,
+        near: 0.1,
+    };
+    assert_eq!(path.validate(), Ok(()), "its keys are good");
+    assert_eq!(path.check_times([0.0, 0.5, 2.0].into_iter()), Ok(()));
+    let error = path.check_times([0.0, 1.0, 2.0].into_iter()).unwrap_err();
+    assert_eq!(
+        (error.time_s, error.problem),
+        (1.0, CameraError::NoDirection)
+    );
+}

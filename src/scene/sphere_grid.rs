@@ -6,6 +6,7 @@ use glam::Vec3;
 use rayon::prelude::*;
 
 use super::mesh::{MAX_TRIANGLES, Mesh, Object, canonical};
+use crate::memory::{self, NotEnough};
 
 /// What the longer side of the grid spans, so that the picture stays alike for every grid.
 const SPAN: f32 = 25.0;
@@ -61,7 +62,19 @@ pub enum SphereGridError {
         /// The slices asked for.
         slices: u32,
     },
+    /// More than fits into memory.
+    #[error("a sphere grid of {triangles} triangles {source}; use fewer spheres or slices")]
+    Memory {
+        /// The triangles asked for.
+        triangles: u64,
+        /// What there is.
+        source: NotEnough,
+    },
 }
+
+/// What a triangle of a closed mesh takes until it is drawn: its three indices and half a vertex here, and as
+/// much again, with vertices of four numbers, on the way to the device.
+const TRIANGLE_BYTES: u64 = 2 * (12 + 8);
 
 impl SphereGrid {
     /// How many triangles the spheres have together; the ground is not counted.
@@ -104,6 +117,9 @@ impl SphereGrid {
     /// Builds the spheres, one object each, row after row, and the ground as the last object.
     pub fn mesh(self) -> Result<Mesh, SphereGridError> {
         self.validate()?;
+        let triangles = self.triangle_count();
+        memory::check(TRIANGLE_BYTES * triangles)
+            .map_err(|source| SphereGridError::Memory { triangles, source })?;
         let directions = sphere_directions(self.slices);
         let sphere = sphere_triangles(self.slices);
         let count = self.sphere_count() as usize;

@@ -2,7 +2,7 @@
 
 use super::finding::Finding;
 use super::random;
-use super::trial::{Attempt, Studio, Trial};
+use super::trial::{Attempt, NoPicture, Studio, Trial};
 use crate::bench::Observer;
 use crate::methods::ShadowMethod;
 use crate::metrics::MaskError;
@@ -46,15 +46,19 @@ pub struct Tally {
     pub error: MaskError,
     /// Why it could not draw the last of the others, if there are any.
     pub unavailable: Option<String>,
+    /// Cases of which there is no picture because something broke.
+    pub failed: u64,
+    /// What broke in the last of them.
+    pub failure: Option<String>,
 }
 
 /// Draws random scenes until there are no more seeds, the time is up or the user interrupts; `found` is told
 /// of every failure. Gives a tally a method.
 ///
 /// # Errors
-/// When the device is lost, or `found` fails.
+/// When `found` fails.
 pub fn fuzz(
-    studio: &Studio<'_>,
+    studio: &Studio,
     methods: &[Box<dyn ShadowMethod>],
     plan: &FuzzPlan,
     observer: &dyn Observer,
@@ -69,13 +73,18 @@ pub fn fuzz(
             break;
         }
         let scene = random::case(seed);
-        let trial = studio.judge(&scene, methods)?;
+        let trial = studio.judge(&scene, methods);
         for (index, (method, attempt)) in methods.iter().zip(&trial.attempts).enumerate() {
             let tally = &mut tallies[index];
             let drawn = match attempt {
                 Attempt::Drawn(drawn) => drawn,
-                Attempt::Unavailable(reason) => {
+                Attempt::Missing(NoPicture::Unavailable(reason)) => {
                     tally.unavailable = Some(reason.clone());
+                    continue;
+                }
+                Attempt::Missing(NoPicture::Failed(reason)) => {
+                    tally.failed += 1;
+                    tally.failure = Some(format!("seed {seed}: {reason}"));
                     continue;
                 }
             };

@@ -4,7 +4,7 @@
 //! something. Where the two pictures show different triangles (coincident ones, of which the order of
 //! drawing decides), or where the truth itself cannot decide, a mask may go either way.
 
-use super::{Change, Changed, Keeps, Studio};
+use super::{Change, Changed, Keeps, NoPicture, Studio};
 use crate::bench::Verifier;
 use crate::bench::verify::PixelTruth;
 use crate::frame::{DepthSetup, Stage};
@@ -37,7 +37,7 @@ pub struct Difference {
     /// The method, with the parameters that are not at their defaults.
     pub method: String,
     /// The pixels that differ, or why the method cannot draw one of the scenes.
-    pub pixels: Result<DifferingPixels, String>,
+    pub pixels: Result<DifferingPixels, NoPicture>,
 }
 
 impl Difference {
@@ -55,11 +55,11 @@ impl Difference {
 type PixelTruths = (PixelTruth, PixelTruth);
 
 /// A mask, or why there is none.
-type Mask = Result<Vec<u8>, String>;
+type Mask = Result<Vec<u8>, NoPicture>;
 
 /// A scene as it is told first, and the masks that methods draw of it.
 pub struct Original<'a> {
-    studio: &'a Studio<'a>,
+    studio: &'a Studio,
     scene: &'a Scene,
     methods: &'a [Box<dyn ShadowMethod>],
     masks: Vec<Mask>,
@@ -71,12 +71,12 @@ pub struct Original<'a> {
 /// # Errors
 /// When the device is lost, or the scene cannot be traced.
 pub fn check(
-    studio: &Studio<'_>,
+    studio: &Studio,
     scene: &Scene,
     methods: &[Box<dyn ShadowMethod>],
     random: &mut impl Rng,
 ) -> anyhow::Result<Vec<Difference>> {
-    let original = Original::draw(studio, scene, methods)?;
+    let original = Original::draw(studio, scene, methods);
     let mut rows = Vec::new();
     for change in Change::ALL {
         let Some(changed) = change.apply(scene, random) else {
@@ -94,20 +94,17 @@ pub fn check(
 
 impl<'a> Original<'a> {
     /// Draws the first view of `scene` with every method.
-    ///
-    /// # Errors
-    /// When the device is lost.
     pub fn draw(
-        studio: &'a Studio<'a>,
+        studio: &'a Studio,
         scene: &'a Scene,
         methods: &'a [Box<dyn ShadowMethod>],
-    ) -> anyhow::Result<Self> {
-        Ok(Self {
+    ) -> Self {
+        Self {
             studio,
             scene,
             methods,
-            masks: studio.masks(scene, methods)?,
-        })
+            masks: studio.masks(scene, methods),
+        }
     }
 
     /// What is different in the masks of `changed`, for each method; an error is the reason why a method
@@ -118,9 +115,9 @@ impl<'a> Original<'a> {
     pub fn compare(
         &self,
         changed: &Changed,
-    ) -> anyhow::Result<Vec<Result<DifferingPixels, String>>> {
-        let masks = self.studio.masks(&changed.scene, self.methods)?;
-        let differing: Vec<Result<Vec<usize>, &String>> = self
+    ) -> anyhow::Result<Vec<Result<DifferingPixels, NoPicture>>> {
+        let masks = self.studio.masks(&changed.scene, self.methods);
+        let differing: Vec<Result<Vec<usize>, &NoPicture>> = self
             .masks
             .iter()
             .zip(&masks)
@@ -226,15 +223,16 @@ fn differing(before: &[u8], after: &[u8]) -> Vec<usize> {
 
 /// What is true of some pixels of the first view of `scene`.
 fn look(
-    studio: &Studio<'_>,
+    studio: &Studio,
     scene: &Scene,
     depth: DepthSetup,
     pixels: &[usize],
 ) -> anyhow::Result<Vec<PixelTruth>> {
     let (width, height) = studio.size_px;
-    let stage = Stage::new(studio.gpu, scene, width, height).with_depth(studio.gpu, depth);
+    let gpu = studio.gpu()?;
+    let stage = Stage::new(&gpu, scene, width, height)?.with_depth(&gpu, depth)?;
     let cache = ReferenceCache::open(None);
-    let verifier = Verifier::new(studio.gpu, scene, &stage, &cache)?;
+    let verifier = Verifier::new(&gpu, scene, &stage, &cache)?;
     let truth = verifier.truth(&scene.camera.view_at(0.0))?;
     verifier.look(&truth, pixels)
 }

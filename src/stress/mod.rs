@@ -29,6 +29,6 @@ pub use damage::damage;
 pub use finding::Finding;
 pub use fuzz::{Failure, FuzzPlan, Tally, fuzz};
 pub use sweep::{StressRequest, sweep};
-pub use trial::{Attempt, Drawn, Studio, Trial};
+pub use trial::{Attempt, Drawn, NoPicture, Studio, Trial};
 
 pub(crate) use sweep::file_name;

@@ -141,6 +141,8 @@ pub enum Outcome {
     Undeclared,
     /// The method cannot draw this scene on this device.
     Unavailable,
+    /// There is no picture: the device was lost, has not enough memory, or the scene cannot be traced.
+    Failed,
 }
 
 /// One picture (`stability.csv`).
@@ -168,7 +170,7 @@ pub struct StressRow {
     pub ambiguous_px: u64,
     /// Kinds of error and their pixels, `name=count` joined by semicolons.
     pub kinds: String,
-    /// The limit that declares the failure, or why the method is unavailable.
+    /// The limit that declares the failure, or why there is no picture.
     pub reason: String,
     /// Picture of the failure in the folder `failures`; empty if there is none.
     pub picture: String,

@@ -3,11 +3,12 @@
 use super::cause::Cause;
 use super::finding::Finding;
 use super::record::{FAILURES_DIR, GAP_PX, Outcome, ROWS_FILE, StressRow};
-use super::trial::{Attempt, Drawn, Studio, Trial};
+use super::trial::{Attempt, Drawn, NoPicture, Studio};
 use crate::bench::Observer;
 use crate::bench::record::pairs_to_text;
 use crate::image::Image;
 use crate::methods::ShadowMethod;
+use crate::reference::ReferenceMask;
 use crate::scene::{Scene, export};
 use anyhow::Context;
 use std::path::Path;
@@ -15,7 +16,7 @@ use std::path::Path;
 /// What to try, and where results go.
 pub struct StressRequest<'a> {
     /// Draws the pictures.
-    pub studio: &'a Studio<'a>,
+    pub studio: &'a Studio,
     /// The causes.
     pub causes: &'a [Cause],
     /// The methods.
@@ -33,7 +34,7 @@ pub struct StressRequest<'a> {
 /// undeclared one. Gives the rows, fewer if the user interrupted.
 ///
 /// # Errors
-/// When a file cannot be written or the device is lost.
+/// When a file cannot be written.
 pub fn sweep(request: &StressRequest<'_>) -> anyhow::Result<Vec<StressRow>> {
     let failures = request.out.join(FAILURES_DIR);
     std::fs::create_dir_all(&failures)
@@ -72,18 +73,18 @@ fn try_value(
     kept: &mut [Option<Outcome>],
 ) -> anyhow::Result<Vec<StressRow>> {
     let scene = cause.scene(value, request.seed);
-    let trial = request.studio.judge(&scene, request.methods)?;
+    let trial = request.studio.judge(&scene, request.methods);
     let mut rows = Vec::with_capacity(request.methods.len());
     for ((method, attempt), kept) in request.methods.iter().zip(&trial.attempts).zip(kept) {
         let mut row = row(cause, value, method.as_ref(), attempt);
         let is_new = match row.outcome {
-            Outcome::Right | Outcome::Unavailable => false,
+            Outcome::Right | Outcome::Unavailable | Outcome::Failed => false,
             Outcome::Declared => kept.is_none(),
             Outcome::Undeclared => *kept != Some(Outcome::Undeclared),
         };
-        if let (Attempt::Drawn(drawn), true) = (attempt, is_new) {
+        if let (Attempt::Drawn(drawn), Some(truth), true) = (attempt, &trial.truth, is_new) {
             *kept = Some(row.outcome);
-            row.picture = keep(request, &scene, method.as_ref(), drawn, &trial)?;
+            row.picture = keep(request, &scene, method.as_ref(), drawn, truth)?;
         }
         rows.push(row);
     }
@@ -108,9 +109,13 @@ fn row(cause: &Cause, value: f64, method: &dyn ShadowMethod, attempt: &Attempt) 
     };
     let drawn = match attempt {
         Attempt::Drawn(drawn) => drawn,
-        Attempt::Unavailable(reason) => {
+        Attempt::Missing(missing) => {
             return StressRow {
-                reason: reason.clone(),
+                outcome: match missing {
+                    NoPicture::Unavailable(_) => Outcome::Unavailable,
+                    NoPicture::Failed(_) => Outcome::Failed,
+                },
+                reason: missing.reason().to_owned(),
                 ..empty
             };
         }
@@ -140,7 +145,7 @@ fn keep(
     scene: &Scene,
     method: &dyn ShadowMethod,
     drawn: &Drawn,
-    trial: &Trial,
+    truth: &ReferenceMask,
 ) -> anyhow::Result<String> {
     let folder = request.out.join(FAILURES_DIR);
     let stem = file_name(&scene.name);
@@ -149,7 +154,7 @@ fn keep(
     }
     let name = file_name(&format!("{}_{}", scene.name, method.name())) + ".png";
     let (width, height) = request.studio.size_px;
-    let truth = trial.truth.to_grey();
+    let truth = truth.to_grey();
     let rgb = strip(width as usize, &truth, drawn);
     Image::rgb((3 * width + 2 * GAP_PX, height), &rgb).write_png(&folder.join(&name))?;
     Ok(name)

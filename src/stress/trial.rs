@@ -1,17 +1,21 @@
 //! One picture of one scene, drawn by several methods and judged.
 
-use crate::bench::Verifier;
 use crate::bench::verify::{Judgement, Truth};
-use crate::frame::Stage;
-use crate::gpu::Gpu;
-use crate::methods::{MethodError, PrepareContext, PreparedMethod, ShadowMethod};
+use crate::bench::{Verifier, in_one_line};
+use crate::frame::{DepthSetup, Stage};
+use crate::geometry::Topology;
+use crate::gpu::{Gpu, GpuError};
+use crate::methods::{self, MethodError, PrepareContext, PreparedMethod, ShadowMethod};
 use crate::reference::{ReferenceCache, ReferenceMask};
-use crate::scene::Scene;
+use crate::scene::{Scene, View};
+use anyhow::Context;
+use std::cell::{OnceCell, RefCell};
+use std::rc::Rc;
 
 /// Draws the first view of scenes.
-pub struct Studio<'a> {
-    /// The device.
-    pub gpu: &'a Gpu,
+pub struct Studio {
+    /// The device; opened again where it was lost.
+    gpu: RefCell<Gpu>,
     /// Width and height of the pictures.
     pub size_px: (u32, u32),
     /// Truths are not worth keeping: no scene comes twice.
@@ -22,8 +26,17 @@ pub struct Studio<'a> {
 pub enum Attempt {
     /// It drew the picture.
     Drawn(Box<Drawn>),
-    /// It cannot run on this scene or device, for this reason.
+    /// There is no picture.
+    Missing(NoPicture),
+}
+
+/// Why there is no picture.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum NoPicture {
+    /// The method cannot run on this scene or device, for this reason.
     Unavailable(String),
+    /// Something broke: the device was lost or has not enough memory, or the scene cannot be traced.
+    Failed(String),
 }
 
 /// A picture and how right it is.
@@ -39,7 +52,7 @@ impl Attempt {
     pub fn drawn(&self) -> Option<&Drawn> {
         match self {
             Self::Drawn(drawn) => Some(drawn),
-            Self::Unavailable(_) => None,
+            Self::Missing(_) => None,
         }
     }
 
@@ -52,113 +65,175 @@ impl Attempt {
 
 /// The truth of one picture and what each method made of it.
 pub struct Trial {
-    /// The truth.
-    pub truth: ReferenceMask,
+    /// The truth; `None` where nothing was drawn.
+    pub truth: Option<ReferenceMask>,
     /// One for each method.
     pub attempts: Vec<Attempt>,
 }
 
-impl<'a> Studio<'a> {
+impl NoPicture {
+    /// Why, in words.
+    pub fn reason(&self) -> &str {
+        match self {
+            Self::Unavailable(reason) | Self::Failed(reason) => reason,
+        }
+    }
+
+    fn failed(error: &anyhow::Error) -> Self {
+        Self::Failed(in_one_line(error))
+    }
+}
+
+impl Studio {
     /// For pictures of this size.
-    pub fn new(gpu: &'a Gpu, size_px: (u32, u32)) -> Self {
+    pub fn new(gpu: &Gpu, size_px: (u32, u32)) -> Self {
         Self {
-            gpu,
+            gpu: RefCell::new(gpu.clone()),
             size_px,
             cache: ReferenceCache::open(None),
         }
     }
 
-    /// Draws the first view of `scene` with every method and judges the masks.
+    /// The device, opened again if it was lost.
     ///
     /// # Errors
-    /// When the device is lost, the scene cannot be traced, or a method's parameters or shaders are refused.
-    pub fn judge(&self, scene: &Scene, methods: &[Box<dyn ShadowMethod>]) -> anyhow::Result<Trial> {
-        let stages = self.stages(scene, methods);
-        let context = PrepareContext::new(self.gpu, scene, &stages[0]);
-        let first = Verifier::new(self.gpu, scene, &stages[0], &self.cache)?;
-        let view = scene.camera.view_at(0.0);
-        let mut truths: Vec<Option<Truth>> = stages.iter().map(|_| None).collect();
-        let mut attempts = Vec::with_capacity(methods.len());
-        for method in methods {
-            let (stage, prepared) = match self.prepare(&stages, &context, method.as_ref()) {
-                Ok(ready) => ready,
-                Err(MethodError::Unavailable(reason)) => {
-                    attempts.push(Attempt::Unavailable(reason));
-                    continue;
-                }
-                Err(error) => return Err(refused(method.as_ref(), error)),
-            };
-            let verifier = first.on(&stages[stage]);
-            let truth = match &mut truths[stage] {
-                Some(truth) => truth,
-                none => none.insert(verifier.truth(&view)?),
-            };
-            let mask = verifier.draw_mask(prepared.as_ref(), truth)?;
-            let judgement = verifier.judge(&mask, truth, prepared.as_ref())?;
-            attempts.push(Attempt::Drawn(Box::new(Drawn { mask, judgement })));
+    /// When it cannot be opened again.
+    pub fn gpu(&self) -> Result<Gpu, GpuError> {
+        let mut gpu = self.gpu.borrow_mut();
+        if gpu.lost().is_some() {
+            *gpu = gpu.reopen()?;
         }
-        let truth = match truths.into_iter().flatten().next() {
-            Some(truth) => truth,
-            None => first.truth(&view)?,
-        };
-        Ok(Trial {
-            truth: truth.mask,
-            attempts,
-        })
+        Ok(gpu.clone())
     }
 
-    /// The masks that the methods draw of the first view of `scene`, judged by nobody; an error is the
-    /// reason why a method cannot.
-    ///
-    /// # Errors
-    /// When the device is lost, or a method's parameters or shaders are refused.
+    /// Draws the first view of `scene` with every method and judges the masks.
+    pub fn judge(&self, scene: &Scene, methods: &[Box<dyn ShadowMethod>]) -> Trial {
+        let mut truths: Vec<(DepthSetup, Truth)> = Vec::new();
+        let attempts = self.on_devices(scene, methods, |set, methods, attempts| {
+            let first = Verifier::new(&set.gpu, scene, &set.stages[0], &self.cache)?;
+            for method in methods {
+                let attempt = set.prepared(method.as_ref(), |stage, prepared| {
+                    let verifier = first.on(stage);
+                    let known = truths.iter().position(|(depth, _)| *depth == stage.depth);
+                    let known = match known {
+                        Some(known) => known,
+                        None => {
+                            truths.push((stage.depth, verifier.truth(&set.view)?));
+                            truths.len() - 1
+                        }
+                    };
+                    let truth = &truths[known].1;
+                    let mask = verifier.draw_mask(prepared, truth)?;
+                    let judgement = verifier.judge(&mask, truth, prepared)?;
+                    Ok(Box::new(Drawn { mask, judgement }))
+                });
+                attempts.push(attempt);
+                if set.gpu.lost().is_some() {
+                    break;
+                }
+            }
+            Ok(())
+        });
+        let attempt = |attempt: Result<_, _>| attempt.map_or_else(Attempt::Missing, Attempt::Drawn);
+        Trial {
+            truth: truths.into_iter().next().map(|(_, truth)| truth.mask),
+            attempts: attempts.into_iter().map(attempt).collect(),
+        }
+    }
+
+    /// The masks that the methods draw of the first view of `scene`, judged by nobody.
     pub fn masks(
         &self,
         scene: &Scene,
         methods: &[Box<dyn ShadowMethod>],
-    ) -> anyhow::Result<Vec<Result<Vec<u8>, String>>> {
-        let stages = self.stages(scene, methods);
-        let context = PrepareContext::new(self.gpu, scene, &stages[0]);
-        let view = scene.camera.view_at(0.0);
-        let mut masks = Vec::with_capacity(methods.len());
-        for method in methods {
-            masks.push(match self.prepare(&stages, &context, method.as_ref()) {
-                Ok((stage, prepared)) => {
-                    let stage = &stages[stage];
-                    stage.set_view(self.gpu, &view, scene.light);
-                    Ok(stage.draw_mask(self.gpu, prepared.as_ref())?)
+    ) -> Vec<Result<Vec<u8>, NoPicture>> {
+        self.on_devices(scene, methods, |set, methods, masks| {
+            for method in methods {
+                masks.push(set.prepared(method.as_ref(), |stage, prepared| {
+                    stage.set_view(&set.gpu, &set.view, scene.light);
+                    stage.draw_mask(&set.gpu, prepared)
+                }));
+                if set.gpu.lost().is_some() {
+                    break;
                 }
-                Err(MethodError::Unavailable(reason)) => Err(reason),
-                Err(error) => return Err(refused(method.as_ref(), error)),
-            });
-        }
-        Ok(masks)
+            }
+            Ok(())
+        })
     }
 
-    fn stages(&self, scene: &Scene, methods: &[Box<dyn ShadowMethod>]) -> Vec<Stage> {
-        let setups = methods.iter().map(|method| method.depth_setup());
-        Stage::for_setups(self.gpu, scene, self.size_px, setups)
-    }
-
-    /// The method made ready, and which of the stages it draws on.
-    fn prepare(
+    /// Lets `work` give something for each method, on one device after another: where one is lost, the method
+    /// that lost it has failed, and the next ones go on. An error of `work` is one for all that are left.
+    fn on_devices<T>(
         &self,
-        stages: &[Stage],
-        context: &PrepareContext<'_>,
-        method: &dyn ShadowMethod,
-    ) -> Result<(usize, Box<dyn PreparedMethod>), MethodError> {
-        let setup = method.depth_setup();
-        let unavailable = MethodError::Unavailable;
-        method.info().check(self.gpu).map_err(unavailable)?;
-        setup.check(self.gpu).map_err(unavailable)?;
-        let Some(stage) = stages.iter().position(|stage| stage.depth == setup) else {
-            unreachable!("there is a stage for each setup that the device can draw")
-        };
-        let prepared = method.prepare(&context.on(&stages[stage]))?;
-        Ok((stage, prepared))
+        scene: &Scene,
+        methods: &[Box<dyn ShadowMethod>],
+        mut work: impl FnMut(&Set<'_>, &[Box<dyn ShadowMethod>], &mut Attempts<T>) -> anyhow::Result<()>,
+    ) -> Attempts<T> {
+        let mut attempts = Vec::with_capacity(methods.len());
+        while attempts.len() < methods.len() {
+            let rest = &methods[attempts.len()..];
+            let done = self
+                .set(scene, rest)
+                .and_then(|set| work(&set, rest, &mut attempts));
+            if let Err(error) = done {
+                let left = methods.len() - attempts.len();
+                attempts.extend((0..left).map(|_| Err(NoPicture::failed(&error))));
+            }
+        }
+        attempts
+    }
+
+    fn set<'a>(
+        &self,
+        scene: &'a Scene,
+        methods: &[Box<dyn ShadowMethod>],
+    ) -> anyhow::Result<Set<'a>> {
+        let view = scene.camera.view_at(0.0);
+        view.validate().context("camera")?;
+        let gpu = self.gpu()?;
+        let setups = methods.iter().map(|method| method.depth_setup());
+        Ok(Set {
+            stages: Stage::for_setups(&gpu, scene, self.size_px, setups)?,
+            topology: Rc::default(),
+            gpu,
+            scene,
+            view,
+        })
     }
 }
 
-fn refused(method: &dyn ShadowMethod, error: MethodError) -> anyhow::Error {
-    anyhow::Error::new(error).context(format!("method `{}`", method.name()))
+/// What came of each method so far.
+type Attempts<T> = Vec<Result<T, NoPicture>>;
+
+/// A scene on one device.
+struct Set<'a> {
+    gpu: Gpu,
+    scene: &'a Scene,
+    stages: Vec<Stage>,
+    view: View,
+    topology: Rc<OnceCell<Topology>>,
+}
+
+impl Set<'_> {
+    /// What `draw` gives of the method made ready and the stage that it draws on.
+    fn prepared<T>(
+        &self,
+        method: &dyn ShadowMethod,
+        draw: impl FnOnce(&Stage, &dyn PreparedMethod) -> anyhow::Result<T>,
+    ) -> Result<T, NoPicture> {
+        let setup = method.depth_setup();
+        let unavailable = NoPicture::Unavailable;
+        method.info().check(&self.gpu).map_err(unavailable)?;
+        setup.check(&self.gpu).map_err(unavailable)?;
+        let Some(stage) = self.stages.iter().find(|stage| stage.depth == setup) else {
+            unreachable!("there is a stage for each setup that the device can draw")
+        };
+        let context = PrepareContext::sharing(&self.gpu, self.scene, stage, &self.topology);
+        let prepared = match methods::prepare(method, &context) {
+            Ok(prepared) => prepared,
+            Err(MethodError::Unavailable(reason)) => return Err(unavailable(reason)),
+            Err(error) => return Err(NoPicture::failed(&error.into())),
+        };
+        draw(stage, prepared.as_ref()).map_err(|error| NoPicture::failed(&error))
+    }
 }

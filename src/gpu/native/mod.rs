@@ -12,6 +12,7 @@
 
 mod bindings;
 mod geometry;
+mod memory;
 mod open;
 mod pass;
 mod pipeline;
@@ -19,6 +20,7 @@ mod target;
 
 pub use bindings::{BindingKind, Bindings};
 pub use geometry::IndexedGeometry;
+pub use memory::{free_heap_bytes, most_bytes_at_once};
 pub use open::{Opened, StageSupport, open, support};
 pub use pass::NativePass;
 pub use pipeline::{Pipeline, PipelineDesc, PrimitiveTopology, Raster, VertexInput};
@@ -33,7 +35,7 @@ pub enum NativeError {
     #[error("native shader stages need Vulkan")]
     NotVulkan,
     /// A Vulkan call failed.
-    #[error("Vulkan: {0}")]
+    #[error("a Vulkan call failed")]
     Vulkan(#[from] ash::vk::Result),
 }
 
@@ -45,8 +47,18 @@ fn raw_device(device: &wgpu::Device) -> Result<ash::Device, NativeError> {
     Ok(hal.raw_device().clone())
 }
 
+/// Waits for a device that was lost to come to rest: some drivers go on for a while with what they were given,
+/// and nothing may be destroyed under them.
+pub fn settle(device: &wgpu::Device) {
+    if let Ok(raw) = raw_device(device) {
+        // SAFETY: the handle is borrowed from `device`, and this thread is the only one that submits. That the
+        // device is lost is known, so the result says nothing.
+        let _ = unsafe { raw.device_wait_idle() };
+    }
+}
+
 /// Waits until nothing that was submitted is running any more, so that objects may be destroyed.
 fn wait_idle(device: &wgpu::Device) {
     // A lost device runs nothing either.
-    let _ = device.poll(wgpu::PollType::wait_indefinitely());
+    let _ = super::fault::poll(device, wgpu::PollType::wait_indefinitely());
 }

@@ -21,10 +21,8 @@ impl NativePass<'_> {
     /// also the number of its draw calls.
     ///
     /// `target`'s texture must be in wgpu's state `DEPTH_STENCIL_WRITE` when it runs, which
-    /// [`super::super::FrameRecorder::native_stage`] takes care of.
-    ///
-    /// # Panics
-    /// When the device does not run on Vulkan; `target` could not have been made then.
+    /// [`super::super::FrameRecorder::native_stage`] takes care of. On a device that is lost or has no memory
+    /// for commands nothing is recorded; [`crate::gpu::Gpu::attempt`] says so.
     pub fn record(
         device: &wgpu::Device,
         target: &Target,
@@ -34,18 +32,16 @@ impl NativePass<'_> {
         let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor {
             label: Some("native"),
         });
-        let Ok(raw) = super::raw_device(device) else {
-            unreachable!("a native target exists only on Vulkan")
-        };
         let mut draw_calls = 0;
+        let Ok(raw) = super::raw_device(device) else {
+            return (encoder.finish(), draw_calls);
+        };
         // SAFETY: only native commands go into this encoder, and the pass is ended again. Target,
         // bindings and pipelines wait for the device before they destroy anything, so all handles
         // stay valid until the commands have run.
         unsafe {
             encoder.as_hal_mut::<Vulkan, _, _>(|hal| {
-                let Some(hal) = hal else {
-                    unreachable!("a native target exists only on Vulkan")
-                };
+                let Some(hal) = hal else { return };
                 let commands = hal.raw_handle();
                 wait_for_uploads(&raw, commands);
                 let begin = vk::RenderPassBeginInfo::default()

@@ -16,7 +16,6 @@ use crate::gpu::shader::{self, Spirv};
 use edges::{EdgePatches, EdgeRecords};
 use serde::{Deserialize, Serialize};
 use std::marker::PhantomData;
-use wgpu::util::DeviceExt;
 
 /// The stages that make side quads of edges.
 pub(super) trait SideStage: 'static {
@@ -118,14 +117,14 @@ impl<S: SideStage> ShadowMethod for Silhouette<S> {
             ),
         ];
         let (sides, buffers) = match self.input {
-            EdgeInput::Storage => Self::sides_by_number(context, parameters, edges),
+            EdgeInput::Storage => Self::sides_by_number(context, parameters, edges)?,
             EdgeInput::Patch => {
                 let (topology, opposites) = S::patch(edges.most_opposites());
                 let most_bytes = context.gpu.device.limits().max_buffer_size;
                 let patches =
                     EdgePatches::new(&edges, opposites, most_bytes).ok_or_else(too_many_patches)?;
                 counters.push(("patch_vertices", patches.vertices_per_patch.into()));
-                let sides = Self::sides_by_patch(context.gpu, parameters, topology, patches);
+                let sides = Self::sides_by_patch(context.gpu, parameters, topology, patches)?;
                 (sides, Vec::new())
             }
         };
@@ -140,15 +139,17 @@ impl<S: SideStage> Silhouette<S> {
         context: &PrepareContext<'_>,
         parameters: &VolumeParameters,
         edges: EdgeRecords,
-    ) -> (Faces, Vec<wgpu::Buffer>) {
-        let gpu = context.gpu;
+    ) -> Result<(Faces, Vec<wgpu::Buffer>), MethodError> {
         let buffer = |label, contents: &[u8]| {
             let usage = wgpu::BufferUsages::STORAGE;
-            filled_buffer(gpu, label, contents, usage)
+            context.gpu.buffer(label, contents, usage)
         };
         let buffers = vec![
-            buffer("edges", bytemuck::cast_slice(&edges.edges)),
-            buffer("opposites", bytemuck::cast_slice(&edges.opposites)),
+            buffer("the edges", bytemuck::cast_slice(&edges.edges))?,
+            buffer(
+                "the opposite vertices",
+                bytemuck::cast_slice(&edges.opposites),
+            )?,
         ];
         // Room for exactly what this scene can need: a larger output slows a geometry stage down.
         let defines = parameters.defines(&[("MAX_MULTIPLICITY", edges.most_opposites())]);
@@ -162,7 +163,7 @@ impl<S: SideStage> Silhouette<S> {
             z_fail: Raster::CountDepthFails,
             in_z_pass: true,
         };
-        (faces, buffers)
+        Ok((faces, buffers))
     }
 
     fn sides_by_patch(
@@ -170,7 +171,7 @@ impl<S: SideStage> Silhouette<S> {
         parameters: &VolumeParameters,
         topology: PrimitiveTopology,
         patches: EdgePatches,
-    ) -> Faces {
+    ) -> Result<Faces, MethodError> {
         let opposites = patches.vertices_per_patch - 2;
         let defines = parameters.defines(&[
             ("MAX_MULTIPLICITY", opposites),
@@ -179,19 +180,15 @@ impl<S: SideStage> Silhouette<S> {
         let mut stages = vec![shader::glsl("methods/volumes/position.vert", &[])];
         stages.extend(S::shaders(&defines));
         let contents = bytemuck::cast_slice(&patches.indices);
-        Faces {
+        let indices = gpu.buffer("the edges as patches", contents, wgpu::BufferUsages::INDEX)?;
+        Ok(Faces {
             stages,
             topology,
-            indices: Some(filled_buffer(
-                gpu,
-                "edge patches",
-                contents,
-                wgpu::BufferUsages::INDEX,
-            )),
+            indices: Some(indices),
             draws: patches.objects,
             z_fail: Raster::CountDepthFails,
             in_z_pass: true,
-        }
+        })
     }
 }
 
@@ -199,24 +196,4 @@ fn too_many_patches() -> MethodError {
     let advice = "this scene's edges do not fit into one buffer as patches of vertices: use a smaller \
                   max_multiplicity, or input=storage";
     MethodError::Unavailable(advice.to_owned())
-}
-
-/// A buffer; Vulkan has no empty ones, so an empty scene gets a few bytes nobody reads.
-fn filled_buffer(
-    gpu: &Gpu,
-    label: &str,
-    contents: &[u8],
-    usage: wgpu::BufferUsages,
-) -> wgpu::Buffer {
-    let contents = if contents.is_empty() {
-        &[0; 16]
-    } else {
-        contents
-    };
-    gpu.device
-        .create_buffer_init(&wgpu::util::BufferInitDescriptor {
-            label: Some(label),
-            contents,
-            usage,
-        })
 }

@@ -64,12 +64,14 @@ pub struct Counts {
     pub undeclared: usize,
     /// That the method cannot draw.
     pub unavailable: usize,
+    /// That something broke of.
+    pub failed: usize,
 }
 
 impl Counts {
     /// All pictures.
     pub fn all(self) -> usize {
-        self.right + self.declared + self.undeclared + self.unavailable
+        self.right + self.declared + self.undeclared + self.unavailable + self.failed
     }
 }
 
@@ -82,7 +84,7 @@ impl<'a> Failure<'a> {
 
     /// Whether no limit declares the very first failure.
     pub fn begins_undeclared(&self) -> bool {
-        self.first.outcome == Outcome::Undeclared
+        is_undeclared(self.first)
     }
 }
 
@@ -104,7 +106,7 @@ impl<'a> Cell<'a> {
             return Self::Fails(Failure {
                 first,
                 worst: worst.unwrap_or(first),
-                undeclared: rows.iter().find(is(Outcome::Undeclared)).copied(),
+                undeclared: rows.iter().copied().find(|row| is_undeclared(row)),
             });
         }
         let unavailable = rows.iter().filter(is(Outcome::Unavailable)).count();
@@ -121,9 +123,14 @@ impl<'a> Cell<'a> {
     }
 }
 
-/// Whether a picture is wrong.
+/// Whether a picture is wrong or missing, and nothing said that it would be.
+fn is_undeclared(row: &StressRow) -> bool {
+    matches!(row.outcome, Outcome::Undeclared | Outcome::Failed)
+}
+
+/// Whether a picture is wrong, or broke.
 pub(in crate::report) fn is_failure(row: &StressRow) -> bool {
-    matches!(row.outcome, Outcome::Declared | Outcome::Undeclared)
+    row.outcome == Outcome::Declared || is_undeclared(row)
 }
 
 impl StressRun {
@@ -161,6 +168,7 @@ impl StressRun {
                 Outcome::Declared => &mut counts.declared,
                 Outcome::Undeclared => &mut counts.undeclared,
                 Outcome::Unavailable => &mut counts.unavailable,
+                Outcome::Failed => &mut counts.failed,
             } += 1;
         }
         counts

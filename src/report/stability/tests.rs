@@ -80,6 +80,7 @@ fn undeclared_failures_are_counted() {
         declared: 3,
         undeclared: 2,
         unavailable: 6,
+        failed: 0,
     };
     assert_eq!(run.counts(), counts);
 }

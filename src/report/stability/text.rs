@@ -65,8 +65,12 @@ impl StressRun {
         } else {
             " The run was interrupted."
         };
+        let failed = match counts.failed {
+            0 => String::new(),
+            failed => format!(", {} not drawn", of(failed)),
+        };
         format!(
-            "Of {} pictures, {} right, {} wrong by a declared limit, {} wrong undeclared, {} unavailable.{end}",
+            "Of {} pictures, {} right, {} wrong by a declared limit, {} wrong undeclared, {} unavailable{failed}.{end}",
             of(counts.all()),
             of(counts.right),
             of(counts.declared),

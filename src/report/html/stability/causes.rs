@@ -140,6 +140,7 @@ fn value_cell(row: &StressRow, is_first: bool) -> Markup {
         Outcome::Right if row.artifact_px == 0 => html! { td.none { "·" span.sr { " right" } } },
         Outcome::Right => html! { td.none { (px) } },
         Outcome::Declared => html! { td.declared.first[is_first] { (px) } },
+        Outcome::Failed => html! { td.undeclared title=(row.reason) { "broke!" } },
         Outcome::Undeclared => html! { td.undeclared.first[is_first] { (px) "!" } },
     }
 }

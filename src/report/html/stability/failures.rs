@@ -77,7 +77,6 @@ fn figure(
     album: &Album<'_>,
 ) -> Result<Markup> {
     let method = run.info.methods[index].name();
-    let is_declared = row.outcome == Outcome::Declared;
     let picture = picture(run, line, row, &method, album)?;
     Ok(html! {
         figure.failure {
@@ -88,10 +87,10 @@ fn figure(
                     (line.cause.number) ": " strong { (short(row.value)) } " · "
                     strong { (count(row.artifact_px)) } " artifact px"
                 }
-                @if is_declared {
-                    p { span.verdict.trend { "Declared: " } (row.reason) }
-                } @else {
-                    p { span.verdict.broken { "! Undeclared" } ": no limit of the method says so" }
+                @match row.outcome {
+                    Outcome::Declared => p { span.verdict.trend { "Declared: " } (row.reason) },
+                    Outcome::Failed => p { span.verdict.broken { "! Not drawn" } ": " (row.reason) },
+                    _ => p { span.verdict.broken { "! Undeclared" } ": no limit of the method says so" },
                 }
                 p.quiet {
                     (count(row.false_lit)) " px false lit, " (count(row.false_shadowed))
