@@ -19,5 +19,6 @@ pub mod scene;
 
 pub mod gpu;
 pub mod image;
+pub mod output;
 pub mod toml_array;
 pub mod toml_error;

@@ -7,9 +7,11 @@ use super::record::{
     BIAS_FILE, BiasRow, ERRORS_FILE, FrameError, IMAGES_DIR, ImageKind, REGIONS_FILE, RUN_FILE,
     RegionRow, RunInfo, SAMPLES_FILE, SUMMARY_FILE, Sample, Summary, image_name,
 };
+use crate::output;
 use anyhow::{Context, bail};
 use serde::Serialize;
 use std::fs::File;
+use std::io::Write;
 use std::path::{Path, PathBuf};
 
 /// A CSV file that grows row by row.
@@ -33,8 +35,7 @@ impl Table {
     fn create(&mut self) -> anyhow::Result<&mut csv::Writer<File>> {
         let writer = match self.writer.take() {
             Some(writer) => writer,
-            None => csv::Writer::from_path(&self.path)
-                .with_context(|| format!("cannot create {}", self.path.display()))?,
+            None => csv::Writer::from_writer(output::create(&self.path)?),
         };
         Ok(self.writer.insert(writer))
     }
@@ -65,7 +66,7 @@ pub fn new_directory(path: &Path) -> anyhow::Result<()> {
             path.display()
         );
     }
-    std::fs::create_dir_all(path).with_context(|| format!("cannot create {}", path.display()))
+    output::create_dir_all(path)
 }
 
 /// An open run directory.
@@ -145,8 +146,8 @@ impl RunDir {
     fn replace(
         &self,
         name: &str,
-        write: impl FnOnce(&mut File) -> anyhow::Result<()>,
+        write: impl FnOnce(&mut dyn Write) -> anyhow::Result<()>,
     ) -> anyhow::Result<()> {
-        crate::image::replace_file(&self.path.join(name), write)
+        output::write_with(&self.path.join(name), write)
     }
 }

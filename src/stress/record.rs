@@ -4,7 +4,7 @@
 use super::cause::Cause;
 use crate::bench::record::{DeviceRecord, HostRecord};
 use crate::methods::{ShadowMethod, full_name};
-use anyhow::Context;
+use crate::output;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 
@@ -68,9 +68,9 @@ impl StressInfo {
     /// # Errors
     /// When it cannot be written.
     pub fn write(&self, out: &Path) -> anyhow::Result<()> {
-        let path = out.join(STRESS_FILE);
-        crate::image::replace_file(&path, |file| Ok(serde_json::to_writer_pretty(file, self)?))
-            .with_context(|| format!("cannot write {}", path.display()))
+        output::write_with(&out.join(STRESS_FILE), |file| {
+            Ok(serde_json::to_writer_pretty(file, self)?)
+        })
     }
 }
 

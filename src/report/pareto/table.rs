@@ -6,8 +6,8 @@ use anyhow::{Context as _, Result};
 use serde::Serialize;
 
 use super::{Cloud, PARETO_FILE, Point};
+use crate::output::{remove_stale, write_atomically};
 use crate::report::curve::Curve;
-use crate::report::write;
 
 /// What stands for the scene in rows over all scenes.
 const ALL_SCENES: &str = "*";
@@ -40,10 +40,10 @@ struct Row<'a> {
 pub(in crate::report) fn write(dir: &Path, clouds: &[Cloud]) -> Result<()> {
     let path = dir.join(PARETO_FILE);
     if clouds.is_empty() {
-        return write::remove(&path);
+        return remove_stale(&path);
     }
     let contents = csv(clouds).with_context(|| format!("cannot make {PARETO_FILE}"))?;
-    write::text(&path, &contents)
+    write_atomically(&path, &contents)
 }
 
 fn csv(clouds: &[Cloud]) -> Result<String> {
