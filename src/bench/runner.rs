@@ -75,8 +75,13 @@ pub fn run(request: &RunRequest<'_>) -> anyhow::Result<RunOutcome> {
                 info.warnings.extend(warnings);
                 add_methods(&mut info.methods, methods);
                 summaries.extend(rows);
-                dir.write_summary(&summaries)?;
-                dir.write_info(&info)?;
+                if let Err(error) = dir
+                    .write_summary(&summaries)
+                    .and_then(|()| dir.write_info(&info))
+                {
+                    failure = Some(error);
+                    break;
+                }
             }
             Err(error) => {
                 failure = Some(error.context(format!("scene `{}`", plan.file.name)));
@@ -84,20 +89,33 @@ pub fn run(request: &RunRequest<'_>) -> anyhow::Result<RunOutcome> {
             }
         }
     }
-    info.status = match (&failure, request.observer.interrupted()) {
-        (Some(_), _) => RunStatus::Failed,
-        (None, true) => RunStatus::Interrupted,
-        (None, false) => RunStatus::Complete,
-    };
-    dir.write_summary(&summaries)?;
-    dir.write_info(&info)?;
+    if failure.is_none() {
+        info.status = match request.observer.interrupted() {
+            true => RunStatus::Interrupted,
+            false => RunStatus::Complete,
+        };
+        failure = close(&mut dir, &mut info, &summaries).err();
+    }
     match failure {
-        Some(error) => Err(error),
+        Some(error) => {
+            info.status = RunStatus::Failed;
+            // What failed first is what is told; the rest is kept as far as it can be.
+            let _ = close(&mut dir, &mut info, &summaries);
+            dir.mark_failed();
+            Err(error)
+        }
         None => Ok(RunOutcome {
             status: info.status,
             summaries,
         }),
     }
+}
+
+/// Writes what stands at the end of a run.
+fn close(dir: &mut RunDir, info: &mut RunInfo, summaries: &[Summary]) -> anyhow::Result<()> {
+    dir.write_summary(summaries)?;
+    info.files = dir.file_records()?;
+    dir.write_info(info)
 }
 
 /// A method's stages are known once a scene has drawn it.
@@ -139,5 +157,6 @@ fn info(request: &RunRequest<'_>) -> RunInfo {
         config_text: plan.text.clone(),
         scale: plan.scale.clone(),
         warnings: Vec::new(),
+        files: Vec::new(),
     }
 }

@@ -1,5 +1,6 @@
 //! Several runs beside the paper: one report in a folder of its own.
 
+use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context as _, Result, bail};
@@ -27,7 +28,7 @@ struct Merged<'a> {
 
 #[derive(Debug, Serialize)]
 struct MergedRun<'a> {
-    dir: &'a Path,
+    dir: Cow<'a, str>,
     /// Label of its group of columns.
     group: &'a str,
     device: &'a str,
@@ -85,7 +86,7 @@ fn prepare(out: &Path) -> Result<()> {
 fn contents(groups: &[Group<'_>]) -> Result<String> {
     let runs = groups.iter().flat_map(|group| {
         group.runs.iter().map(|run| MergedRun {
-            dir: &run.dir,
+            dir: run.dir.to_string_lossy(),
             group: &group.label,
             device: &run.info.device.name,
             driver_info: &run.info.device.driver_info,

@@ -2,7 +2,7 @@
 //! every picture, and the folder `failures` a picture of each method's first failure.
 
 use super::cause::Cause;
-use crate::bench::record::{DeviceRecord, HostRecord};
+use crate::bench::record::{DeviceRecord, FileRecord, HostRecord};
 use crate::methods::{ShadowMethod, full_name};
 use crate::output;
 use serde::{Deserialize, Serialize};
@@ -60,6 +60,10 @@ pub struct StressInfo {
     pub causes: Vec<CauseRecord>,
     /// The methods, in the order of the configuration.
     pub methods: Vec<StressMethod>,
+    /// The table, pictures and scenes as they were when the run ended; empty while it is under way, and in runs from
+    /// before they were noted.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub files: Vec<FileRecord>,
 }
 
 impl StressInfo {

@@ -1,5 +1,6 @@
 //! Where a run's numbers come from: `run.json`.
 
+use super::FileRecord;
 use serde::{Deserialize, Serialize};
 
 /// Where a run's numbers come from (`run.json`).
@@ -50,6 +51,10 @@ pub struct RunInfo {
     pub scale: String,
     /// What the reader should know before trusting a number.
     pub warnings: Vec<String>,
+    /// The tables and pictures as they were when the run ended; empty while it is under way, and in runs from before
+    /// they were noted.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub files: Vec<FileRecord>,
 }
 
 /// How far a run came.
@@ -64,6 +69,18 @@ pub enum RunStatus {
     Interrupted,
     /// Stopped by an error.
     Failed,
+}
+
+impl RunStatus {
+    /// The word in `run.json`.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Running => "running",
+            Self::Complete => "complete",
+            Self::Interrupted => "interrupted",
+            Self::Failed => "failed",
+        }
+    }
 }
 
 /// The device measured and its driver.

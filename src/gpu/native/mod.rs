@@ -19,7 +19,7 @@ mod target;
 
 pub use bindings::{BindingKind, Bindings};
 pub use geometry::IndexedGeometry;
-pub use open::{Opened, StageSupport, open, support};
+pub use open::{Opened, StageSupport, has_validation_layer, open, support};
 pub use pass::NativePass;
 pub use pipeline::{Pipeline, PipelineDesc, PrimitiveTopology, Raster, VertexInput};
 pub use target::Target;
