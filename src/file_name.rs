@@ -29,7 +29,9 @@ fn hashed(name: &str) -> String {
     for c in name.chars().take(KEPT) {
         let is_inner = !plain.is_empty() && !plain.ends_with('_');
         plain.push(match c {
-            '.' | '_' if !is_inner => '-',
+            // A dot might leave a reserved name before it.
+            '.' => '-',
+            '_' if !is_inner => '-',
             c if is_plain_char(c) => c,
             _ => '-',
         });
@@ -108,6 +110,7 @@ mod tests {
 
     #[test]
     fn plain_names_stay() {
+        assert_eq!(file_name("Cornell Box"), "Cornell-Box~2696cc7bb0e633ba");
         for name in [
             "sponza",
             "sphere_grid_n60",

@@ -70,9 +70,15 @@ pub fn remove_stale(path: &Path) -> anyhow::Result<()> {
 /// What is no regular file, such as a device, may be written to twice and is never the same.
 pub fn is_same_file(a: &Path, b: &Path) -> bool {
     match (fs::metadata(a), fs::metadata(b)) {
-        (Ok(a), Ok(_)) if !a.is_file() => false,
-        (Ok(_), Ok(b)) if !b.is_file() => false,
-        (Ok(_), Ok(_)) => same_file::is_same_file(a, b).unwrap_or(false),
+        (Ok(of_a), Ok(of_b)) if of_a.is_file() && of_b.is_file() => {
+            #[cfg(unix)]
+            return {
+                use std::os::unix::fs::MetadataExt;
+                (of_a.dev(), of_a.ino()) == (of_b.dev(), of_b.ino())
+            };
+            #[cfg(not(unix))]
+            return fs::canonicalize(a).is_ok_and(|a| fs::canonicalize(b).is_ok_and(|b| a == b));
+        }
         (Err(_), Err(_)) => match (future_path(a), future_path(b)) {
             (Some(a), Some(b)) => a == b,
             _ => false,
@@ -264,12 +270,11 @@ mod tests {
 
     #[test]
     fn a_device_is_written_to_and_stays() {
-        use std::os::unix::fs::FileTypeExt;
-        write_atomically(Path::new("/dev/null"), "nothing").unwrap();
-        let device = fs::metadata("/dev/null").unwrap();
-        assert!(device.file_type().is_char_device());
         let full = write_atomically(Path::new("/dev/full"), "too much").unwrap_err();
         assert!(format!("{full:#}").contains("/dev/full"), "{full:#}");
+        use std::os::unix::fs::FileTypeExt;
+        let device = fs::metadata("/dev/full").unwrap();
+        assert!(device.file_type().is_char_device());
     }
 
     #[test]

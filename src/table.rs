@@ -88,13 +88,13 @@ fn guard(cell: &[u8]) -> Vec<u8> {
 
 /// A row as it was before it was written.
 pub fn unguarded(record: &StringRecord) -> StringRecord {
-    let cells = record.iter();
-    cells
-        .map(|cell| match cell.strip_prefix(GUARD) {
-            Some(text) if is_formula(text) => text,
-            _ => cell,
-        })
-        .collect()
+    let cells = record.iter().map(|cell| match cell.strip_prefix(GUARD) {
+        Some(text) if is_formula(text) => text,
+        _ => cell,
+    });
+    let mut unguarded: StringRecord = cells.collect();
+    unguarded.set_position(record.position().cloned());
+    unguarded
 }
 
 /// Whether a spreadsheet might run the text, guarded or not: guards are counted in, so that one can always be taken

@@ -163,3 +163,26 @@ impl RunDir {
         image.write_png(&self.path.join(IMAGES_DIR).join(name))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_run_can_be_marked_as_failed_without_a_byte_more() {
+        let room = tempfile::tempdir().unwrap();
+        let mut dir = RunDir::create(&room.path().join("run")).unwrap();
+        let mut info = RunInfo::default();
+        // Words of the configuration are left alone.
+        info.config_text = "\"status\": \"running\"".to_owned();
+        dir.write_info(&info).unwrap();
+        let path = room.path().join("run").join(RUN_FILE);
+        let before = std::fs::metadata(&path).unwrap().len();
+        dir.mark_failed();
+        let text = std::fs::read_to_string(&path).unwrap();
+        assert_eq!(text.len() as u64, before);
+        let read: RunInfo = serde_json::from_str(&text).unwrap();
+        info.status = RunStatus::Failed;
+        assert_eq!(read, info);
+    }
+}

@@ -10,6 +10,7 @@ use super::scene_run::{SceneOutcome, run_scene};
 use crate::config::RunPlan;
 use crate::gpu::{Gpu, shader};
 use crate::reference::ReferenceCache;
+use anyhow::Context;
 use std::path::Path;
 
 /// What to run, where, and who watches.
@@ -58,61 +59,53 @@ pub fn run(request: &RunRequest<'_>) -> anyhow::Result<RunOutcome> {
         .observer
         .begin(request.plan.steps_per_scene() * request.plan.scenes.len() as u64);
     let mut summaries = Vec::new();
-    let mut failure = None;
+    let done = run_scenes(request, &mut dir, &mut info, &mut summaries);
+    if let Err(error) = done {
+        info.status = RunStatus::Failed;
+        // What failed first is what is told; the rest is kept as far as it can be.
+        let _ = dir.write_summary(&summaries);
+        info.files = dir.file_records().unwrap_or_default();
+        if dir.write_info(&info).is_err() {
+            dir.mark_failed();
+        }
+        return Err(error);
+    }
+    Ok(RunOutcome {
+        status: info.status,
+        summaries,
+    })
+}
+
+/// Runs the scenes and closes the run, unless a file cannot be written.
+fn run_scenes(
+    request: &RunRequest<'_>,
+    dir: &mut RunDir,
+    info: &mut RunInfo,
+    summaries: &mut Vec<Summary>,
+) -> anyhow::Result<()> {
     for plan in &request.plan.scenes {
         if request.observer.interrupted() {
             break;
         }
-        match run_scene(request, plan, &mut dir) {
-            Ok(outcome) => {
-                let SceneOutcome {
-                    record,
-                    methods,
-                    summaries: rows,
-                    warnings,
-                } = outcome;
-                info.scenes.push(record);
-                info.warnings.extend(warnings);
-                add_methods(&mut info.methods, methods);
-                summaries.extend(rows);
-                if let Err(error) = dir
-                    .write_summary(&summaries)
-                    .and_then(|()| dir.write_info(&info))
-                {
-                    failure = Some(error);
-                    break;
-                }
-            }
-            Err(error) => {
-                failure = Some(error.context(format!("scene `{}`", plan.file.name)));
-                break;
-            }
-        }
+        let scene = || format!("scene `{}`", plan.file.name);
+        let outcome = run_scene(request, plan, dir).with_context(scene)?;
+        let SceneOutcome {
+            record,
+            methods,
+            summaries: rows,
+            warnings,
+        } = outcome;
+        info.scenes.push(record);
+        info.warnings.extend(warnings);
+        add_methods(&mut info.methods, methods);
+        summaries.extend(rows);
+        dir.write_summary(summaries)?;
+        dir.write_info(info)?;
     }
-    if failure.is_none() {
-        info.status = match request.observer.interrupted() {
-            true => RunStatus::Interrupted,
-            false => RunStatus::Complete,
-        };
-        failure = close(&mut dir, &mut info, &summaries).err();
-    }
-    match failure {
-        Some(error) => {
-            info.status = RunStatus::Failed;
-            // What failed first is what is told; the rest is kept as far as it can be.
-            let _ = close(&mut dir, &mut info, &summaries);
-            dir.mark_failed();
-            Err(error)
-        }
-        None => Ok(RunOutcome {
-            status: info.status,
-            summaries,
-        }),
-    }
-}
-
-/// Writes what stands at the end of a run.
-fn close(dir: &mut RunDir, info: &mut RunInfo, summaries: &[Summary]) -> anyhow::Result<()> {
+    info.status = match request.observer.interrupted() {
+        true => RunStatus::Interrupted,
+        false => RunStatus::Complete,
+    };
     dir.write_summary(summaries)?;
     info.files = dir.file_records()?;
     dir.write_info(info)

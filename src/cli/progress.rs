@@ -4,14 +4,19 @@ use super::interrupt;
 use crate::bench::Observer;
 use crate::console;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use std::cell::Cell;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
+/// Where there is no bar, a line at least so often.
+const LINE_EVERY: Duration = Duration::from_secs(10);
+
 /// Shows progress and carries requests to stop.
 pub(super) struct Progress {
     bar: ProgressBar,
-    plain: bool,
+    /// Where no bar can be drawn: what is counted, and when the last line was.
+    plain: Option<(String, Cell<Instant>)>,
     started: Instant,
     interrupted: Arc<AtomicBool>,
 }
@@ -30,12 +35,23 @@ impl Progress {
         let bar = ProgressBar::with_draw_target(None, target);
         let style = format!("{{bar:30}} {{pos}}/{{len}} {things}, {{eta}} left  {{msg}}");
         bar.set_style(ProgressStyle::with_template(&style)?);
+        let started = Instant::now();
         Ok(Self {
             bar,
-            plain,
-            started: Instant::now(),
+            plain: plain.then(|| (things.to_owned(), Cell::new(started))),
+            started,
             interrupted,
         })
+    }
+
+    /// A line, where there is no bar.
+    fn line(&self, text: &str) {
+        if let Some((_, last)) = &self.plain {
+            last.set(Instant::now());
+            let (done, all) = (self.bar.position(), self.bar.length().unwrap_or(0));
+            let seconds = self.started.elapsed().as_secs_f64();
+            console::say(&format!("[{seconds:6.1} s] {done}/{all} {text}"));
+        }
     }
 
     /// Clears the bar.
@@ -60,22 +76,24 @@ fn is_dumb_terminal() -> bool {
 impl Observer for Progress {
     fn begin(&self, steps: u64) {
         self.bar.set_length(steps);
-        if !self.plain {
-            self.bar.enable_steady_tick(Duration::from_millis(500));
+        match &self.plain {
+            Some((things, _)) => self.line(things),
+            None => self.bar.enable_steady_tick(Duration::from_millis(500)),
         }
     }
 
     fn phase(&self, text: &str) {
         self.bar.set_message(text.to_owned());
-        if self.plain {
-            let (done, all) = (self.bar.position(), self.bar.length().unwrap_or(0));
-            let seconds = self.started.elapsed().as_secs_f64();
-            console::say(&format!("[{seconds:6.1} s] {done}/{all} {text}"));
-        }
+        self.line(text);
     }
 
     fn advance(&self, steps: u64) {
         self.bar.inc(steps);
+        if let Some((things, last)) = &self.plain
+            && last.get().elapsed() > LINE_EVERY
+        {
+            self.line(things);
+        }
     }
 
     fn interrupted(&self) -> bool {

@@ -5,4 +5,9 @@
 
 mod room;
 
+mod disk;
+mod names;
+mod outputs;
+mod signals;
 mod streams;
+mod surroundings;

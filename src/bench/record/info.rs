@@ -4,7 +4,7 @@ use super::FileRecord;
 use serde::{Deserialize, Serialize};
 
 /// Where a run's numbers come from (`run.json`).
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct RunInfo {
     /// Layout of the run directory, [`super::FORMAT`] when written by this version.
     pub format: u32,
@@ -58,10 +58,11 @@ pub struct RunInfo {
 }
 
 /// How far a run came.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum RunStatus {
     /// Still measuring, or killed before it could say otherwise.
+    #[default]
     Running,
     /// Every cell has its row.
     Complete,
