@@ -172,9 +172,11 @@ mod tests {
     fn a_run_can_be_marked_as_failed_without_a_byte_more() {
         let room = tempfile::tempdir().unwrap();
         let mut dir = RunDir::create(&room.path().join("run")).unwrap();
-        let mut info = RunInfo::default();
-        // Words of the configuration are left alone.
-        info.config_text = "\"status\": \"running\"".to_owned();
+        let mut info = RunInfo {
+            // Words of the configuration are left alone.
+            config_text: "\"status\": \"running\"".to_owned(),
+            ..RunInfo::default()
+        };
         dir.write_info(&info).unwrap();
         let path = room.path().join("run").join(RUN_FILE);
         let before = std::fs::metadata(&path).unwrap().len();

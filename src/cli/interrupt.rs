@@ -63,7 +63,8 @@ fn on_request(request: impl Fn(bool) + Send + 'static) -> anyhow::Result<()> {
     Ok(ctrlc::set_handler(move || request(true))?)
 }
 
-#[cfg(all(test, unix))]
+#[cfg(test)]
+#[cfg(unix)]
 mod tests {
     use super::*;
 

@@ -60,7 +60,7 @@ pub fn write_merged(dirs: &[PathBuf], out: &Path, force: bool) -> Result<PathBuf
     paper::write(out, paper.as_ref())?;
     write_plots(out, &plots)?;
     let page = out.join(HTML_FILE);
-    write_atomically(&page, &html::merged_page(&groups, paper.as_ref(), &plots))?;
+    write_atomically(&page, html::merged_page(&groups, paper.as_ref(), &plots))?;
     Ok(page)
 }
 

@@ -58,7 +58,7 @@ pub struct LegendEntry {
 /// finished never passes for one. `legend` explains the colours of the run's error maps.
 pub fn write_all(dir: &Path, legend: &[LegendEntry]) -> Result<PathBuf> {
     let run = Run::read(dir)?;
-    write_atomically(&dir.join(TABLE_FILE), &table::markdown(&run))?;
+    write_atomically(&dir.join(TABLE_FILE), table::markdown(&run))?;
 
     let groups = groups::group(slice::from_ref(&run), false)?;
     let paper = Paper::compare(&groups)?;

@@ -25,7 +25,7 @@ pub const MATRIX_FILE: &str = "matrix.md";
 /// When a file of the run is broken, or one cannot be written.
 pub fn write_stability(dir: &Path, legend: &[LegendEntry]) -> Result<PathBuf> {
     let run = StressRun::read(dir)?;
-    write_atomically(&dir.join(MATRIX_FILE), &run.matrix_markdown())?;
+    write_atomically(&dir.join(MATRIX_FILE), run.matrix_markdown())?;
     let page = dir.join(HTML_FILE);
     write_atomically(&page, &html::stability_page(&run, legend)?)?;
     Ok(page)
