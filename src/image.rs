@@ -1,8 +1,6 @@
-//! Pictures as PNG files, and replacing files whole.
+//! Pictures as PNG files.
 
-use anyhow::Context;
-use std::fs::File;
-use std::io::BufWriter;
+use crate::output;
 use std::path::Path;
 
 /// An 8-bit picture, rows from the top.
@@ -45,9 +43,8 @@ impl<'a> Image<'a> {
     /// # Errors
     /// When the file cannot be written.
     pub fn write_png(&self, path: &Path) -> anyhow::Result<()> {
-        replace_file(path, |file| {
-            let mut encoder =
-                png::Encoder::new(BufWriter::new(file), self.size_px.0, self.size_px.1);
+        output::write_with(path, |file| {
+            let mut encoder = png::Encoder::new(file, self.size_px.0, self.size_px.1);
             encoder.set_color(self.colour);
             encoder.set_depth(png::BitDepth::Eight);
             let mut writer = encoder.write_header()?;
@@ -55,24 +52,4 @@ impl<'a> Image<'a> {
             Ok(writer.finish()?)
         })
     }
-}
-
-/// Writes a file beside `path` and renames it there, so that nobody ever finds half of it.
-///
-/// # Errors
-/// When the file cannot be written; `path` is then as it was.
-pub fn replace_file(
-    path: &Path,
-    write: impl FnOnce(&mut File) -> anyhow::Result<()>,
-) -> anyhow::Result<()> {
-    let folder = path
-        .parent()
-        .filter(|folder| !folder.as_os_str().is_empty());
-    let attempt = || {
-        let mut file = tempfile::NamedTempFile::new_in(folder.unwrap_or(Path::new(".")))?;
-        write(file.as_file_mut())?;
-        file.persist(path)?;
-        anyhow::Ok(())
-    };
-    attempt().with_context(|| format!("cannot write {}", path.display()))
 }

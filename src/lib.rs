@@ -17,8 +17,12 @@ pub mod stress;
 pub mod geometry;
 pub mod scene;
 
+pub mod console;
+pub mod file_name;
 pub mod gpu;
 pub mod image;
 pub mod memory;
+pub mod output;
+pub mod table;
 pub mod toml_array;
 pub mod toml_error;

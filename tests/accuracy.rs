@@ -1,6 +1,6 @@
 //! Every robust method against the ray-traced truth, at the paper's picture size.
 
-#![allow(clippy::unwrap_used, reason = "tests")]
+#![allow(clippy::unwrap_used, clippy::print_stdout, reason = "tests")]
 
 mod common;
 

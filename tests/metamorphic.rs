@@ -1,5 +1,5 @@
 //! Scenes told otherwise, and the same shadow.
-#![allow(clippy::unwrap_used, reason = "tests")]
+#![allow(clippy::unwrap_used, clippy::print_stdout, reason = "tests")]
 
 mod common;
 

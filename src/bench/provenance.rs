@@ -12,6 +12,13 @@ pub fn program_git() -> String {
     .to_owned()
 }
 
+/// The command line, program name first; what is not Unicode is told as nearly as can be.
+pub fn command() -> Vec<String> {
+    std::env::args_os()
+        .map(|argument| argument.to_string_lossy().into_owned())
+        .collect()
+}
+
 impl DeviceRecord {
     /// The device in use.
     pub fn of(gpu: &Gpu) -> Self {

@@ -5,53 +5,41 @@
 
 use super::fault::RunDirError;
 use super::record::{
-    BIAS_FILE, BiasRow, ERRORS_FILE, FrameError, IMAGES_DIR, ImageKind, REGIONS_FILE, RUN_FILE,
-    RegionRow, RunInfo, SAMPLES_FILE, SUMMARY_FILE, Sample, Summary, image_name,
+    BIAS_FILE, BiasRow, ERRORS_FILE, FileRecord, FrameError, IMAGES_DIR, ImageKind, REGIONS_FILE,
+    RUN_FILE, RegionRow, RunInfo, RunStatus, SAMPLES_FILE, SUMMARY_FILE, Sample, Summary,
+    file_records, image_name,
 };
+use crate::output;
+use crate::table::{self, Table};
 use anyhow::{Context, bail};
 use serde::Serialize;
-use std::fs::File;
+use std::fs::OpenOptions;
+use std::io::Write;
 use std::path::{Path, PathBuf};
 
-/// A CSV file that grows row by row.
-struct Table {
-    name: &'static str,
+/// A table that is made with its first rows.
+struct LateTable {
     path: PathBuf,
-    /// Made with the first row, if not before.
-    writer: Option<csv::Writer<File>>,
+    table: Option<Table>,
 }
 
-impl Table {
-    fn new(dir: &Path, name: &'static str) -> Self {
+impl LateTable {
+    fn new(dir: &Path, name: &str) -> Self {
         Self {
-            name,
             path: dir.join(name),
-            writer: None,
+            table: None,
         }
     }
 
-    /// Makes the file, also if no row should come.
-    fn create(&mut self) -> anyhow::Result<&mut csv::Writer<File>> {
-        let writer = match self.writer.take() {
-            Some(writer) => writer,
-            None => csv::Writer::from_path(&self.path)
-                .with_context(|| format!("cannot create {}", self.path.display()))?,
-        };
-        Ok(self.writer.insert(writer))
-    }
-
-    /// Appends rows and makes sure that they are there.
     fn append<T: Serialize>(&mut self, rows: &[T]) -> anyhow::Result<()> {
         if rows.is_empty() {
             return Ok(());
         }
-        let name = self.name;
-        let cannot = || format!("cannot write {name}");
-        let writer = self.create()?;
-        rows.iter()
-            .try_for_each(|row| writer.serialize(row))
-            .with_context(cannot)?;
-        writer.flush().with_context(cannot)
+        let table = match self.table.take() {
+            Some(table) => table,
+            None => Table::create(&self.path)?,
+        };
+        self.table.insert(table).append(rows)
     }
 }
 
@@ -66,16 +54,18 @@ pub fn new_directory(path: &Path) -> anyhow::Result<()> {
             path.display()
         );
     }
-    std::fs::create_dir_all(path).with_context(|| format!("cannot create {}", path.display()))
+    output::create_dir_all(path)
 }
 
 /// An open run directory.
 pub(super) struct RunDir {
     path: PathBuf,
     samples: Table,
-    errors: Table,
-    regions: Table,
-    biases: Table,
+    errors: LateTable,
+    regions: LateTable,
+    biases: LateTable,
+    /// What `run.json` holds.
+    info: Vec<u8>,
 }
 
 impl RunDir {
@@ -85,22 +75,61 @@ impl RunDir {
         let images = path.join(IMAGES_DIR);
         std::fs::create_dir(&images)
             .with_context(|| format!("cannot create {}", images.display()))?;
-        let mut samples = Table::new(path, SAMPLES_FILE);
-        samples.create()?;
         Ok(Self {
             path: path.to_owned(),
-            samples,
-            errors: Table::new(path, ERRORS_FILE),
-            regions: Table::new(path, REGIONS_FILE),
-            biases: Table::new(path, BIAS_FILE),
+            samples: Table::create(&path.join(SAMPLES_FILE))?,
+            errors: LateTable::new(path, ERRORS_FILE),
+            regions: LateTable::new(path, REGIONS_FILE),
+            biases: LateTable::new(path, BIAS_FILE),
+            info: Vec::new(),
         })
     }
 
     /// Writes `run.json`, over the one before.
-    pub(super) fn write_info(&self, info: &RunInfo) -> Result<(), RunDirError> {
-        RunDirError::of(self.replace(RUN_FILE, |file| {
-            Ok(serde_json::to_writer_pretty(file, info)?)
-        }))
+    pub(super) fn write_info(&mut self, info: &RunInfo) -> Result<(), RunDirError> {
+        let path = self.path.join(RUN_FILE);
+        let write = || {
+            let text = serde_json::to_vec_pretty(info)?;
+            output::write_atomically(&path, &text)?;
+            Ok(text)
+        };
+        self.info = RunDirError::of(write())?;
+        Ok(())
+    }
+
+    /// Makes `run.json` say that the run failed, if it does not yet: where there is no room for another file, in the
+    /// one that there is.
+    pub(super) fn mark_failed(&mut self) {
+        let Ok(text) = std::str::from_utf8(&self.info) else {
+            return;
+        };
+        let running = format!("\"status\": \"{}\"", RunStatus::Running.word());
+        let failed = format!("\"status\": \"{}\"", RunStatus::Failed.word());
+        // As long as before, so that no byte of it needs a new place on the disk.
+        let text = text.replacen(&running, &format!("{failed:0$}", running.len()), 1);
+        let path = self.path.join(RUN_FILE);
+        let patched = OpenOptions::new()
+            .write(true)
+            .open(&path)
+            .and_then(|mut file| file.write_all(text.as_bytes()));
+        if let Err(error) = patched {
+            log::warn!(
+                "{} still says that the run is under way: {error}",
+                path.display()
+            );
+        }
+    }
+
+    /// The tables and pictures that there are.
+    pub(super) fn file_records(&self) -> Result<Vec<FileRecord>, RunDirError> {
+        const TABLES: [&str; 5] = [
+            SAMPLES_FILE,
+            SUMMARY_FILE,
+            ERRORS_FILE,
+            REGIONS_FILE,
+            BIAS_FILE,
+        ];
+        RunDirError::of(file_records(&self.path, &TABLES, IMAGES_DIR))
     }
 
     /// Appends a row to `samples.csv`.
@@ -125,11 +154,8 @@ impl RunDir {
 
     /// Writes `summary.csv`, over the one before.
     pub(super) fn write_summary(&self, rows: &[Summary]) -> Result<(), RunDirError> {
-        RunDirError::of(self.replace(SUMMARY_FILE, |file| {
-            let mut writer = csv::Writer::from_writer(file);
-            rows.iter().try_for_each(|row| writer.serialize(row))?;
-            Ok(writer.flush()?)
-        }))
+        let path = self.path.join(SUMMARY_FILE);
+        RunDirError::of(table::text(rows).and_then(|text| output::write_atomically(&path, text)))
     }
 
     /// Writes a picture of a cell.
@@ -142,12 +168,29 @@ impl RunDir {
         let name = image_name(scene, method, variant, kind);
         RunDirError::of(image.write_png(&self.path.join(IMAGES_DIR).join(name)))
     }
+}
 
-    fn replace(
-        &self,
-        name: &str,
-        write: impl FnOnce(&mut File) -> anyhow::Result<()>,
-    ) -> anyhow::Result<()> {
-        crate::image::replace_file(&self.path.join(name), write)
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_run_can_be_marked_as_failed_without_a_byte_more() {
+        let room = tempfile::tempdir().unwrap();
+        let mut dir = RunDir::create(&room.path().join("run")).unwrap();
+        let mut info = RunInfo {
+            // Words of the configuration are left alone.
+            config_text: "\"status\": \"running\"".to_owned(),
+            ..RunInfo::default()
+        };
+        dir.write_info(&info).unwrap();
+        let path = room.path().join("run").join(RUN_FILE);
+        let before = std::fs::metadata(&path).unwrap().len();
+        dir.mark_failed();
+        let text = std::fs::read_to_string(&path).unwrap();
+        assert_eq!(text.len() as u64, before);
+        let read: RunInfo = serde_json::from_str(&text).unwrap();
+        info.status = RunStatus::Failed;
+        assert_eq!(read, info);
     }
 }

@@ -55,50 +55,69 @@ pub fn run(request: &RunRequest<'_>) -> anyhow::Result<RunOutcome> {
     let mut dir = RunDir::create(request.out)?;
     let mut info = info(request);
     dir.write_info(&info).map_err(RunDirError::into_inner)?;
-    let mut gpu = request.gpu.clone();
     request
         .observer
         .begin(request.plan.steps_per_scene() * request.plan.scenes.len() as u64);
     let mut summaries = Vec::new();
-    let mut failure = None;
+    let done = run_scenes(request, &mut dir, &mut info, &mut summaries);
+    if let Err(error) = done {
+        info.status = RunStatus::Failed;
+        // What failed first is what is told; the rest is kept as far as it can be.
+        let _ = dir.write_summary(&summaries);
+        info.files = dir.file_records().unwrap_or_default();
+        if dir.write_info(&info).is_err() {
+            dir.mark_failed();
+        }
+        return Err(error);
+    }
+    Ok(RunOutcome {
+        status: info.status,
+        summaries,
+    })
+}
+
+/// Runs the scenes and closes the run, unless a file cannot be written.
+fn run_scenes(
+    request: &RunRequest<'_>,
+    dir: &mut RunDir,
+    info: &mut RunInfo,
+    summaries: &mut Vec<Summary>,
+) -> anyhow::Result<()> {
+    let mut gpu = request.gpu.clone();
     for plan in &request.plan.scenes {
         if request.observer.interrupted() {
             break;
         }
-        let outcome = run_scene(request, &mut gpu, plan, &mut dir).and_then(|outcome| {
-            let SceneOutcome {
-                record,
-                methods,
-                summaries: rows,
-                warnings,
-            } = outcome;
-            info.scenes.push(record);
-            info.warnings.extend(warnings);
-            add_methods(&mut info.methods, methods);
-            summaries.extend(rows);
-            dir.write_summary(&summaries)?;
-            dir.write_info(&info)
-        });
-        if let Err(error) = outcome {
-            let error = error.into_inner();
-            failure = Some(error.context(format!("scene `{}`", plan.file.name)));
-            break;
-        }
+        let outcome = run_scene(request, &mut gpu, plan, dir);
+        let in_scene = |error: RunDirError| {
+            let scene = format!("scene `{}`", plan.file.name);
+            error.into_inner().context(scene)
+        };
+        let SceneOutcome {
+            record,
+            methods,
+            summaries: rows,
+            warnings,
+        } = outcome.map_err(in_scene)?;
+        info.scenes.push(record);
+        info.warnings.extend(warnings);
+        add_methods(&mut info.methods, methods);
+        summaries.extend(rows);
+        let written = dir.write_summary(summaries);
+        written
+            .and_then(|()| dir.write_info(info))
+            .map_err(in_scene)?;
     }
-    info.status = match (&failure, request.observer.interrupted()) {
-        (Some(_), _) => RunStatus::Failed,
-        (None, true) => RunStatus::Interrupted,
-        (None, false) => RunStatus::Complete,
+    info.status = match request.observer.interrupted() {
+        true => RunStatus::Interrupted,
+        false => RunStatus::Complete,
     };
-    let written = dir.write_summary(&summaries);
-    let written = written.and_then(|()| dir.write_info(&info));
-    match failure.or(written.err().map(RunDirError::into_inner)) {
-        Some(error) => Err(error),
-        None => Ok(RunOutcome {
-            status: info.status,
-            summaries,
-        }),
-    }
+    let mut close = || {
+        dir.write_summary(summaries)?;
+        info.files = dir.file_records()?;
+        dir.write_info(info)
+    };
+    close().map_err(RunDirError::into_inner)
 }
 
 /// A method's stages are known once a scene has drawn it.
@@ -140,5 +159,6 @@ fn info(request: &RunRequest<'_>) -> RunInfo {
         config_text: plan.text.clone(),
         scale: plan.scale.clone(),
         warnings: Vec::new(),
+        files: Vec::new(),
     }
 }

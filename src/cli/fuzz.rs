@@ -3,12 +3,14 @@
 use super::progress::Progress;
 use super::{DeviceArgs, check_size, values};
 use crate::bench::Observer;
+use crate::console;
+use crate::file_name::method_file_name;
 use crate::image::Image;
 use crate::methods::parameters::parse_method;
 use crate::methods::{REGISTRY, ShadowMethod};
+use crate::output;
 use crate::scene::export;
-use crate::stress::{Failure, Finding, FuzzPlan, Studio, Tally, file_name, fuzz};
-use anyhow::Context;
+use crate::stress::{Failure, Finding, FuzzPlan, Studio, Tally, fuzz};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -37,16 +39,12 @@ pub(super) struct FuzzArgs {
     device: DeviceArgs,
 }
 
-#[allow(
-    clippy::print_stdout,
-    reason = "the failures and the table are this command's result"
-)]
 pub(super) fn execute(args: &FuzzArgs) -> anyhow::Result<()> {
     let methods = methods(&args.method)?;
     let gpu = args.device.open()?;
     check_size(&gpu, args.size, "--size")?;
     if let Some(out) = &args.out {
-        std::fs::create_dir_all(out).with_context(|| format!("cannot create {}", out.display()))?;
+        output::create_dir_all(out)?;
     }
     let progress = Progress::counting("scenes")?;
     let plan = FuzzPlan {
@@ -55,14 +53,14 @@ pub(super) fn execute(args: &FuzzArgs) -> anyhow::Result<()> {
     };
     let studio = Studio::new(&gpu, args.size);
     let tallies = fuzz(&studio, &methods, &plan, &progress, |failure| {
-        println!("{}", line(failure, &methods));
+        progress.print(&format!("{}\n", line(failure, &methods)));
         match &args.out {
-            Some(out) => keep(failure, &methods[failure.method].name(), out, args.size),
+            Some(out) => keep(failure, methods[failure.method].as_ref(), out, args.size),
             None => Ok(()),
         }
     })?;
     progress.finish();
-    print!("{}", table(&methods, &tallies));
+    console::print(&table(&methods, &tallies));
     args.device.check_validation()?;
     let undeclared: u64 = tallies.iter().map(|tally| tally.undeclared).sum();
     if undeclared > 0 {
@@ -81,7 +79,7 @@ pub(super) fn execute(args: &FuzzArgs) -> anyhow::Result<()> {
     if tallies.iter().all(is_idle) {
         anyhow::bail!("no method can draw these scenes on this device");
     }
-    Ok(())
+    console::check_printed()
 }
 
 /// The methods named, or all that promise to be exact.
@@ -124,7 +122,7 @@ fn line(failure: &Failure<'_>, methods: &[Box<dyn ShadowMethod>]) -> String {
 
 fn keep(
     failure: &Failure<'_>,
-    method: &str,
+    method: &dyn ShadowMethod,
     out: &Path,
     size_px: (u32, u32),
 ) -> anyhow::Result<()> {
@@ -133,9 +131,10 @@ fn keep(
     }
     let stem = &failure.scene.name;
     export::write(failure.scene, out, stem)?;
+    let method = method_file_name(method.info().id, &method.variant());
     match failure.trial.attempts[failure.method].drawn() {
         Some(drawn) => Image::rgb(size_px, &drawn.judgement.error_map)
-            .write_png(&out.join(format!("{stem}_{}.png", file_name(method)))),
+            .write_png(&out.join(format!("{stem}_{method}.png"))),
         None => Ok(()),
     }
 }

@@ -1,7 +1,8 @@
 //! `svbench list [methods|scenes|causes|devices]`
 
 use crate::config::{builtin_scenes, find_scene};
-use crate::gpu::{DeviceSummary, Gpu, GpuOptions, list_devices};
+use crate::console;
+use crate::gpu::{DeviceSummary, Gpu, GpuError, GpuOptions, list_devices};
 use crate::methods::{MethodInfo, REGISTRY};
 use crate::metrics::Label;
 use crate::scene::file::MeshSource;
@@ -65,7 +66,6 @@ struct Listing {
     devices: Option<Vec<DeviceSummary>>,
 }
 
-#[allow(clippy::print_stdout, reason = "the list is this command's result")]
 pub(super) fn execute(args: &ListArgs) -> anyhow::Result<()> {
     let asked = |what| args.what.is_none_or(|asked| asked == what);
     let listing = Listing {
@@ -76,12 +76,19 @@ pub(super) fn execute(args: &ListArgs) -> anyhow::Result<()> {
         causes: asked(What::Causes).then(|| corpus().iter().map(|cause| cause.record()).collect()),
         devices: asked(What::Devices).then(list_devices),
     };
+    let no_device = listing.devices.as_ref().is_some_and(Vec::is_empty);
     if args.json {
-        println!("{}", serde_json::to_string_pretty(&listing)?);
+        if no_device {
+            console::say(&GpuError::NoAdapter.to_string());
+        }
+        console::print(&(serde_json::to_string_pretty(&listing)? + "\n"));
     } else {
-        print!("{}", text(&listing));
+        console::print(&text(&listing));
+        if no_device {
+            console::print(&format!("{}\n", GpuError::NoAdapter));
+        }
     }
-    Ok(())
+    console::check_printed()
 }
 
 fn methods(adapter: Option<String>) -> anyhow::Result<Vec<MethodRow>> {

@@ -1,7 +1,10 @@
 //! `svbench metamorphic [SCENE ...]`
 
+use super::progress::Progress;
 use super::{DeviceArgs, check_size, values};
+use crate::bench::Observer;
 use crate::config::{ConfigError, find_scene};
+use crate::console;
 use crate::gpu::Requirement;
 use crate::methods::{REGISTRY, ShadowMethod, parameters};
 use crate::scene::{Scene, SceneError};
@@ -10,7 +13,7 @@ use crate::stress::{Change, NoPicture, Studio, damage, random};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use std::collections::BTreeSet;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Scenes that are checked if none are named.
 const SCENES: [&str; 2] = ["sphere_grid", "sponza"];
@@ -22,7 +25,7 @@ const DAMAGED_SHARE: f64 = 0.02;
 pub(super) struct MetamorphicArgs {
     /// Scenes, each checked as it is and damaged (default: sphere_grid, and sponza if its model is found)
     #[arg(value_name = "SCENE")]
-    scenes: Vec<String>,
+    scenes: Vec<PathBuf>,
     /// A method, with parameters if any; may be given several times (default: all volume methods)
     #[arg(long = "method", value_name = "ID[,key=value...]")]
     methods: Vec<String>,
@@ -56,9 +59,9 @@ struct Checks {
     wrong: usize,
     /// Masks and scenes of which nothing is known, because something broke.
     failed: usize,
+    progress: Progress,
 }
 
-#[allow(clippy::print_stdout, reason = "the table is this command's result")]
 pub(super) fn execute(args: &MetamorphicArgs) -> anyhow::Result<()> {
     let methods = methods(args)?;
     let scenes = scenes(args)?;
@@ -70,43 +73,66 @@ pub(super) fn execute(args: &MetamorphicArgs) -> anyhow::Result<()> {
         unavailable: BTreeSet::new(),
         wrong: 0,
         failed: 0,
+        progress: Progress::counting("scenes")?,
     };
-    let mut rows = Vec::new();
-    for scene in &scenes {
-        let mut random = ChaCha8Rng::seed_from_u64(args.seed);
-        for scene in [scene, &damage(scene, DAMAGED_SHARE, &mut random)] {
-            let mut row = Row::new(scene.name.clone());
-            checks.check(&mut row, scene, args.seed);
-            rows.push(row);
-        }
-    }
-    if args.soups > 0 {
-        let mut row = Row::new(format!("{} random scenes", args.soups));
-        for seed in (args.seed..).take(args.soups as usize) {
-            checks.check(&mut row, &random::case(seed), seed);
-        }
-        rows.push(row);
-    }
+    let rows = checks.rows(&scenes, args);
+    checks.progress.finish();
     for method in &checks.unavailable {
-        println!("not available: {method}");
+        console::print(&format!("not available: {method}\n"));
     }
-    print!("{}", table(&rows));
+    console::print(&table(&rows));
     args.device.check_validation()?;
     match (checks.wrong, checks.failed) {
-        (0, 0) => Ok(()),
+        (0, 0) => {}
         (0, failed) => anyhow::bail!("{failed} comparisons broke, see above"),
         (wrong, _) => anyhow::bail!("{wrong} masks changed that may not"),
     }
+    if checks.progress.interrupted() {
+        anyhow::bail!("interrupted; the table is of what was checked by then");
+    }
+    console::check_printed()
 }
 
 impl Checks {
-    #[allow(clippy::print_stdout, reason = "failures are told as they come")]
+    /// Checks each scene as it is and damaged, then random ones; a row each, fewer if the user interrupts.
+    fn rows(&mut self, scenes: &[Scene], args: &MetamorphicArgs) -> Vec<Row> {
+        self.progress.begin(2 * scenes.len() as u64 + args.soups);
+        let mut rows = Vec::new();
+        for scene in scenes {
+            let mut random = ChaCha8Rng::seed_from_u64(args.seed);
+            for scene in [scene, &damage(scene, DAMAGED_SHARE, &mut random)] {
+                if self.progress.interrupted() {
+                    return rows;
+                }
+                self.progress.phase(&scene.name);
+                let mut row = Row::new(scene.name.clone());
+                self.check(&mut row, scene, args.seed);
+                rows.push(row);
+            }
+        }
+        if args.soups > 0 && !self.progress.interrupted() {
+            self.progress.phase("random scenes");
+            let mut checked = 0;
+            let mut row = Row::new(String::new());
+            for seed in (args.seed..).take(args.soups as usize) {
+                if self.progress.interrupted() {
+                    break;
+                }
+                self.check(&mut row, &random::case(seed), seed);
+                checked += 1;
+            }
+            row.name = format!("{checked} random scenes");
+            rows.push(row);
+        }
+        rows
+    }
+
     fn check(&mut self, row: &mut Row, scene: &Scene, seed: u64) {
         let mut random = ChaCha8Rng::seed_from_u64(seed);
         let checked = metamorphic::check(&self.studio, scene, &self.methods, &mut random);
         let differences = checked.unwrap_or_else(|error| {
             self.failed += 1;
-            println!("{}: {error:#}", scene.name);
+            self.progress.print(&format!("{}: {error:#}\n", scene.name));
             Vec::new()
         });
         for difference in &differences {
@@ -118,15 +144,18 @@ impl Checks {
                 }
                 Err(NoPicture::Failed(reason)) => {
                     self.failed += 1;
-                    println!("{}, {change}, {method}: {reason}", scene.name);
+                    self.progress
+                        .print(&format!("{}, {change}, {method}: {reason}\n", scene.name));
                 }
             }
             if difference.wrong_px() > 0 {
                 self.wrong += 1;
-                println!("{}", line(scene, difference));
+                let line = line(scene, difference) + "\n";
+                self.progress.print(&line);
             }
             row.add(difference);
         }
+        self.progress.advance(1);
     }
 }
 
@@ -147,12 +176,8 @@ fn methods(args: &MetamorphicArgs) -> anyhow::Result<Vec<Box<dyn ShadowMethod>>>
 }
 
 /// The scenes named; of the default ones, those whose models are there.
-#[allow(
-    clippy::print_stdout,
-    reason = "what was not checked belongs to the result"
-)]
 fn scenes(args: &MetamorphicArgs) -> anyhow::Result<Vec<Scene>> {
-    let load = |name: &str| {
+    let load = |name: &Path| {
         let plan = find_scene(name, Path::new(""))?;
         Ok::<_, ConfigError>(plan.file.load(&plan.search))
     };
@@ -161,9 +186,9 @@ fn scenes(args: &MetamorphicArgs) -> anyhow::Result<Vec<Scene>> {
     }
     let mut scenes = Vec::new();
     for name in SCENES {
-        match load(name)? {
+        match load(Path::new(name))? {
             Err(error @ SceneError::MissingModel { .. }) => {
-                println!("{name} is left out: {error}");
+                console::print(&format!("{name} is left out: {error}\n"));
             }
             scene => scenes.push(scene?),
         }

@@ -2,8 +2,10 @@
 
 use super::progress::Progress;
 use super::shot::{ShotArgs, kinds_of_error, wrong_pixels};
-use super::{DeviceArgs, check_size, values};
+use super::{DeviceArgs, check_size, earlier, outputs, values};
 use crate::bench::Observer;
+use crate::console;
+use crate::file_name::file_name;
 use crate::methods::{ShadowMethod, parameters};
 use crate::scene::{CameraKey, CameraPath, ModelSearch, Scene, SceneFile, View, export};
 use crate::stress::minimise::{MinimiseError, Minimised, minimise};
@@ -57,12 +59,16 @@ impl Observer for Limited<'_> {
     }
 }
 
-#[allow(clippy::print_stdout, reason = "what is left is this command's result")]
 pub(super) fn execute(args: &MinimiseArgs) -> anyhow::Result<()> {
     let methods = [parameters::parse_method(&args.method)?];
     let scene = args.shot.load()?;
     let view = args.shot.view(&scene)?;
     let scene = still(scene, &view, &args.method);
+    let stem = format!("{}_minimal", file_name(&scene.name));
+    let path = args.out.join(format!("{stem}.toml"));
+    let model = path.with_extension("obj");
+    outputs::check(&args.shot.inputs()?, &[("--out", &path), ("--out", &model)])?;
+    let earlier = earlier::read(&path, &scene)?;
     let gpu = args.device.open()?;
     check_size(&gpu, args.size, "--size")?;
     let studio = Studio::new(&gpu, args.size);
@@ -76,12 +82,9 @@ pub(super) fn execute(args: &MinimiseArgs) -> anyhow::Result<()> {
     progress.finish();
     let minimised = minimised?;
 
-    let stem = format!("{}_minimal", scene.name);
-    let path = export::write(&minimised.scene, &args.out, &stem)?;
-    let drawn = judge_again(&studio, &path, &minimised.scene, &methods)?;
     let (left, all) = (&minimised.scene.mesh, &scene.mesh);
-    println!(
-        "{} of {} triangles are left, {} of {} vertices, after {} trials in {:.1} s{}",
+    let mut text = format!(
+        "{} of {} triangles are left, {} of {} vertices, after {} trials in {:.1} s{}\n",
         left.triangles.len(),
         all.triangles.len(),
         left.positions.len(),
@@ -94,13 +97,46 @@ pub(super) fn execute(args: &MinimiseArgs) -> anyhow::Result<()> {
             "; stopped before the end"
         },
     );
-    print!("{}", wrong_pixels(&drawn.judgement.error));
-    print!(
-        "{}",
-        kinds_of_error(drawn.judgement.analysis.label_counts())
-    );
-    println!("look at it: {}", look_at_it(&path, args));
-    args.device.check_validation()
+    let best = match earlier {
+        Some(earlier) if is_better(&earlier, &minimised, &studio, &methods)? => {
+            text.push_str(&format!(
+                "{} stays: an earlier search has left {} triangles there\n",
+                path.display(),
+                earlier.mesh.triangles.len()
+            ));
+            earlier
+        }
+        _ => {
+            export::write(&minimised.scene, &args.out, &stem)?;
+            minimised.scene
+        }
+    };
+    let judgement = judge_again(&studio, &path, &best, &methods)?.judgement;
+    text.push_str(&wrong_pixels(&judgement.error));
+    text.push_str(&kinds_of_error(judgement.analysis.label_counts()));
+    text.push_str(&format!("look at it: {}\n", look_at_it(&path, args)));
+    console::print(&text);
+    args.device.check_validation()?;
+    if progress.interrupted() {
+        anyhow::bail!(
+            "interrupted; what was left by then is in {}",
+            path.display()
+        );
+    }
+    Ok(())
+}
+
+/// Whether an earlier result still fails and has fewer triangles than the new one, or as few as one that is not
+/// final.
+fn is_better(
+    earlier: &Scene,
+    new: &Minimised,
+    studio: &Studio,
+    methods: &[Box<dyn ShadowMethod>; 1],
+) -> anyhow::Result<bool> {
+    let [earlier_count, new_count] = [earlier, &new.scene].map(|scene| scene.mesh.triangles.len());
+    let may_stay = earlier_count < new_count || (earlier_count == new_count && !new.finished);
+    Ok(may_stay && attempt(studio, earlier, methods)?.artifact_px() > 0)
 }
 
 /// The scene as small as can be, or in words why not.
@@ -204,9 +240,21 @@ fn judge_again(
 /// The command that shows what is left.
 fn look_at_it(path: &Path, args: &MinimiseArgs) -> String {
     let (width, height) = args.size;
-    let path = shell_word(&path.to_string_lossy());
+    let path = shell_path(path);
     let method = shell_word(&args.method);
     format!("svbench render {path} --method {method} --size {width}x{height} --error error.png")
+}
+
+/// A path for a shell, to the byte.
+fn shell_path(path: &Path) -> String {
+    match path.to_str() {
+        Some(text) => shell_word(text),
+        None => {
+            let bytes = path.as_os_str().as_encoded_bytes();
+            let byte = |byte: &u8| format!("\\x{byte:02x}");
+            format!("$'{}'", bytes.iter().map(byte).collect::<String>())
+        }
+    }
 }
 
 /// Quoted where a shell would see more than letters.

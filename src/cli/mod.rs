@@ -1,10 +1,13 @@
 //! The command line: one subcommand a file, arguments in, calls out.
 
 mod accuracy;
+mod earlier;
 mod fuzz;
+mod interrupt;
 mod list;
 mod metamorphic;
 mod minimise;
+mod outputs;
 mod progress;
 mod render;
 mod report;

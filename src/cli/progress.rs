@@ -1,76 +1,99 @@
-//! Progress of a run: a bar with the remaining time on a terminal, plain lines otherwise.
-#![allow(
-    clippy::print_stderr,
-    reason = "progress goes to standard error, results to files"
-)]
+//! Progress: a bar with the remaining time on a terminal that can draw one, plain lines otherwise.
 
+use super::interrupt;
 use crate::bench::Observer;
+use crate::console;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use std::io::IsTerminal;
+use std::cell::Cell;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
-/// Shows progress and carries Ctrl-C to the run.
+/// Where there is no bar, a line at least so often.
+const LINE_EVERY: Duration = Duration::from_secs(10);
+
+/// Shows progress and carries requests to stop.
 pub(super) struct Progress {
     bar: ProgressBar,
-    plain: bool,
+    /// Where no bar can be drawn: what is counted, and when the last line was.
+    plain: Option<(String, Cell<Instant>)>,
     started: Instant,
     interrupted: Arc<AtomicBool>,
 }
 
 impl Progress {
-    /// Starts listening for Ctrl-C: the first one asks the run to stop after what is under way, the second
-    /// ends the program. `things` is what is counted.
+    /// Starts listening for requests to stop. `things` is what is counted.
     pub(super) fn counting(things: &str) -> anyhow::Result<Self> {
-        let interrupted = Arc::new(AtomicBool::new(false));
-        let flag = Arc::clone(&interrupted);
-        ctrlc::set_handler(move || {
-            if flag.swap(true, Ordering::Relaxed) {
-                std::process::exit(i32::from(super::FAILED));
-            }
-            eprintln!("stopping soon; once more to end at once");
-        })?;
-        let plain = !std::io::stderr().is_terminal();
-        let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::stderr());
-        if plain {
-            bar.set_draw_target(ProgressDrawTarget::hidden());
-        }
+        let interrupted = interrupt::listen()?;
+        let target = ProgressDrawTarget::stderr();
+        let plain = target.is_hidden() || is_dumb_terminal();
+        let target = if plain {
+            ProgressDrawTarget::hidden()
+        } else {
+            target
+        };
+        let bar = ProgressBar::with_draw_target(None, target);
         let style = format!("{{bar:30}} {{pos}}/{{len}} {things}, {{eta}} left  {{msg}}");
         bar.set_style(ProgressStyle::with_template(&style)?);
+        let started = Instant::now();
         Ok(Self {
             bar,
-            plain,
-            started: Instant::now(),
+            plain: plain.then(|| (things.to_owned(), Cell::new(started))),
+            started,
             interrupted,
         })
+    }
+
+    /// A line, where there is no bar.
+    fn line(&self, text: &str) {
+        if let Some((_, last)) = &self.plain {
+            last.set(Instant::now());
+            let (done, all) = (self.bar.position(), self.bar.length().unwrap_or(0));
+            let seconds = self.started.elapsed().as_secs_f64();
+            console::say(&format!("[{seconds:6.1} s] {done}/{all} {text}"));
+        }
     }
 
     /// Clears the bar.
     pub(super) fn finish(&self) {
         self.bar.finish_and_clear();
     }
+
+    /// Prints a line to standard output, which the bar makes room for.
+    pub(super) fn print(&self, line: &str) {
+        self.bar.suspend(|| console::print(line));
+    }
+}
+
+/// Whether the terminal cannot draw over a line, or does not say what it is.
+fn is_dumb_terminal() -> bool {
+    match std::env::var_os("TERM") {
+        Some(name) => name.is_empty() || name == "dumb",
+        None => cfg!(unix),
+    }
 }
 
 impl Observer for Progress {
     fn begin(&self, steps: u64) {
         self.bar.set_length(steps);
-        self.bar.enable_steady_tick(Duration::from_millis(500));
+        match &self.plain {
+            Some((things, _)) => self.line(things),
+            None => self.bar.enable_steady_tick(Duration::from_millis(500)),
+        }
     }
 
     fn phase(&self, text: &str) {
         self.bar.set_message(text.to_owned());
-        if self.plain {
-            let (done, all) = (self.bar.position(), self.bar.length().unwrap_or(0));
-            eprintln!(
-                "[{:6.1} s] {done}/{all} {text}",
-                self.started.elapsed().as_secs_f64()
-            );
-        }
+        self.line(text);
     }
 
     fn advance(&self, steps: u64) {
         self.bar.inc(steps);
+        if let Some((things, last)) = &self.plain
+            && last.get().elapsed() > LINE_EVERY
+        {
+            self.line(things);
+        }
     }
 
     fn interrupted(&self) -> bool {

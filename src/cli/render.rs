@@ -1,8 +1,9 @@
 //! `svbench render SCENE --method ID`
 
 use super::shot::{ShotArgs, kinds_of_error, wrong_pixels};
-use super::{DeviceArgs, check_size, reference_cache, values};
+use super::{DeviceArgs, check_size, outputs, reference_cache, values};
 use crate::bench::Verifier;
+use crate::console;
 use crate::frame::Stage;
 use crate::gpu::{FrameTimer, StageTimes};
 use crate::image::Image;
@@ -72,9 +73,19 @@ struct Output<'a> {
     warnings: Vec<String>,
 }
 
-#[allow(clippy::print_stdout, reason = "the counts are this command's result")]
 pub(super) fn execute(args: &RenderArgs) -> anyhow::Result<()> {
     let method = parameters::parse_method(&args.method)?;
+    let outputs = [
+        ("--out", &args.out),
+        ("--mask", &args.mask),
+        ("--reference", &args.reference),
+        ("--error", &args.error),
+    ];
+    let named = outputs.into_iter();
+    let outputs: Vec<_> = named
+        .filter_map(|(option, path)| Some((option, path.as_deref()?)))
+        .collect();
+    outputs::check(&args.shot.inputs()?, &outputs)?;
     let scene = args.shot.load()?;
     let view = args.shot.view(&scene)?;
     let gpu = args.device.open()?;
@@ -130,12 +141,13 @@ pub(super) fn execute(args: &RenderArgs) -> anyhow::Result<()> {
         warnings: prepared.warnings(),
     };
     if args.json {
-        println!("{}", serde_json::to_string_pretty(&output)?);
+        console::print(&(serde_json::to_string_pretty(&output)? + "\n"));
     } else {
         let kinds = kinds_of_error(judgement.analysis.label_counts());
-        print!("{}", text(&output, &kinds, &times));
+        console::print(&text(&output, &kinds, &times));
     }
-    args.device.check_validation()
+    args.device.check_validation()?;
+    console::check_printed()
 }
 
 fn stages(times: &StageTimes) -> Counts {

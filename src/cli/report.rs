@@ -2,6 +2,7 @@
 
 use crate::bench::record::RUN_FILE;
 use crate::config::ConfigError;
+use crate::console;
 use crate::stress::record::STRESS_FILE;
 use std::path::{Path, PathBuf};
 
@@ -20,10 +21,6 @@ pub(super) struct ReportArgs {
     force: bool,
 }
 
-#[allow(
-    clippy::print_stdout,
-    reason = "the path of the report is this command's result"
-)]
 pub(super) fn execute(args: &ReportArgs) -> anyhow::Result<()> {
     let page = match (args.dirs.as_slice(), &args.out) {
         (dirs, out) if dirs.iter().any(|dir| is_stress_run(dir)) => stability(dirs, out.is_some())?,
@@ -37,7 +34,7 @@ pub(super) fn execute(args: &ReportArgs) -> anyhow::Result<()> {
             .into());
         }
     };
-    println!("{}", page.display());
+    console::print(&format!("{}\n", page.display()));
     Ok(())
 }
 

@@ -3,9 +3,13 @@
 use super::progress::Progress;
 use super::{DeviceArgs, check_size, error_map_legend, reference_cache, values};
 use crate::bench::record::RunStatus;
-use crate::bench::{self, RunRequest};
+use crate::bench::{self, RunRequest, provenance};
 use crate::config::{Overrides, RunPlan};
+use crate::console;
 use crate::gpu::Gpu;
+use crate::output;
+use anyhow::Context;
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 /// Arguments of `svbench run`.
@@ -32,10 +36,6 @@ pub(super) struct RunArgs {
     device: DeviceArgs,
 }
 
-#[allow(
-    clippy::print_stdout,
-    reason = "the table and the report's path are this command's result"
-)]
 pub(super) fn execute(args: &RunArgs, accuracy: Option<u32>) -> anyhow::Result<()> {
     let mut plan = RunPlan::read(&args.config, &args.scale)?;
     let overrides = Overrides {
@@ -53,25 +53,22 @@ pub(super) fn execute(args: &RunArgs, accuracy: Option<u32>) -> anyhow::Result<(
     check_size(&gpu, plan.size_px, &place)?;
     let out = match &args.out {
         Some(out) => out.clone(),
-        None => default_out(&args.config, &gpu),
+        None => default_out(&args.config, &gpu)?,
     };
     let progress = Progress::counting("frames")?;
     let outcome = bench::run(&RunRequest {
         gpu: &gpu,
         plan: &plan,
         out: &out,
-        command: std::env::args().collect(),
+        command: provenance::command(),
         cache: &reference_cache(),
         observer: &progress,
     });
     progress.finish();
     let outcome = outcome?;
     let page = crate::report::write_all(&out, &error_map_legend())?;
-    print!(
-        "{}",
-        std::fs::read_to_string(out.join(crate::report::TABLE_FILE))?
-    );
-    println!("\nreport: {}", page.display());
+    let table = std::fs::read_to_string(out.join(crate::report::TABLE_FILE))?;
+    console::print(&format!("{table}\nreport: {}\n", page.display()));
     args.device.check_validation()?;
     if outcome.status == RunStatus::Interrupted {
         anyhow::bail!("interrupted; what was measured is in {}", out.display());
@@ -86,36 +83,39 @@ pub(super) fn execute(args: &RunArgs, accuracy: Option<u32>) -> anyhow::Result<(
     }
 }
 
-/// `results/<date>-<time>-<config>-<device>`.
-pub(super) fn default_out(config: &Path, gpu: &Gpu) -> PathBuf {
+/// A new directory `results/<date>-<time>-<config>-<device>`, with a number behind it where there is one already.
+pub(super) fn default_out(config: &Path, gpu: &Gpu) -> anyhow::Result<PathBuf> {
+    const LONGEST: usize = 120;
     let now = jiff::Zoned::now().strftime("%Y-%m-%d-%H%M%S").to_string();
-    let config = config
-        .file_stem()
-        .unwrap_or_default()
-        .to_string_lossy()
-        .into_owned();
-    let device = gpu
-        .info
-        .name
-        .split_whitespace()
-        .take(3)
-        .collect::<Vec<_>>()
-        .join("-");
-    let safe = |c: char| {
-        if c.is_ascii_alphanumeric() || c == '-' {
-            c.to_ascii_lowercase()
-        } else {
-            '-'
-        }
-    };
-    let name: String = format!("{now}-{config}-{device}")
+    let config = config.file_stem().unwrap_or_default().to_string_lossy();
+    let device: Vec<&str> = gpu.info.name.split_whitespace().take(3).collect();
+    let name: String = format!("{now}-{config}-{}", device.join("-"))
         .chars()
-        .map(safe)
+        .map(|c| {
+            if c.is_ascii_alphanumeric() {
+                c.to_ascii_lowercase()
+            } else {
+                '-'
+            }
+        })
         .collect();
-    Path::new("results").join(
-        name.split('-')
-            .filter(|part| !part.is_empty())
-            .collect::<Vec<_>>()
-            .join("-"),
-    )
+    let parts: Vec<&str> = name.split('-').filter(|part| !part.is_empty()).collect();
+    let mut name = parts.join("-");
+    name.truncate(LONGEST);
+    let results = Path::new("results");
+    output::create_dir_all(results)?;
+    let numbered = (2..).map(|number: u32| format!("{name}-{number}"));
+    for name in std::iter::once(name.clone()).chain(numbered) {
+        let path = results.join(name);
+        // Creating it is what makes it this run's.
+        match std::fs::create_dir(&path) {
+            Err(error) if error.kind() == ErrorKind::AlreadyExists => {}
+            created => {
+                return created
+                    .map(|()| path.clone())
+                    .with_context(|| format!("cannot create {}", path.display()));
+            }
+        }
+    }
+    anyhow::bail!("{} is full of runs", results.display())
 }

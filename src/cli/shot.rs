@@ -4,15 +4,16 @@ use super::values;
 use crate::config::{ConfigError, find_scene};
 use crate::metrics::MaskError;
 use crate::scene::camera::radians;
+use crate::scene::file::MeshSource;
 use crate::scene::{Scene, Up, View};
 use glam::{Vec3, Vec4};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// A scene, a view of it and its light.
 #[derive(Debug, clap::Args)]
 pub(super) struct ShotArgs {
     /// A scene: its TOML file, the name of one that comes with the program, or an OBJ file
-    scene: String,
+    scene: PathBuf,
     /// Position of the camera instead of the scene's
     #[arg(long, value_name = "X,Y,Z", value_parser = values::vec3, allow_hyphen_values = true)]
     eye: Option<Vec3>,
@@ -38,14 +39,28 @@ pub(super) struct ShotArgs {
 }
 
 impl ShotArgs {
+    /// The files that the scene is read from.
+    pub(super) fn inputs(&self) -> anyhow::Result<Vec<PathBuf>> {
+        let mut inputs = vec![self.scene.clone()];
+        if !self.is_model() {
+            let plan = find_scene(&self.scene, Path::new(""))?;
+            if let MeshSource::Obj { file, .. } = &plan.file.mesh {
+                inputs.extend(plan.search.find(file));
+            }
+        }
+        Ok(inputs)
+    }
+
+    /// Whether the scene is a bare model.
+    fn is_model(&self) -> bool {
+        let extension = self.scene.extension();
+        extension.is_some_and(|extension| extension.eq_ignore_ascii_case("obj"))
+    }
+
     /// The scene under its light.
     pub(super) fn load(&self) -> anyhow::Result<Scene> {
-        let path = Path::new(&self.scene);
-        let scene = if path
-            .extension()
-            .is_some_and(|e| e.eq_ignore_ascii_case("obj"))
-        {
-            Scene::from_obj(path, Up::Y)?
+        let scene = if self.is_model() {
+            Scene::from_obj(&self.scene, Up::Y)?
         } else {
             let plan = find_scene(&self.scene, Path::new(""))?;
             plan.file.load(&plan.search)?

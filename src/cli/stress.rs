@@ -3,13 +3,14 @@
 use super::progress::Progress;
 use super::run::default_out;
 use super::{DeviceArgs, check_size, error_map_legend, values};
-use crate::bench::record::{DeviceRecord, HostRecord};
+use crate::bench::record::{DeviceRecord, HostRecord, file_records};
 use crate::bench::{Observer, provenance};
 use crate::config::{ConfigError, StressPlan, cause_called};
+use crate::console;
 use crate::gpu::{Gpu, shader};
 use crate::methods::parameters::parse_method;
 use crate::report::{self, stability::StressRun};
-use crate::stress::record::{FORMAT, Outcome, StressInfo, StressMethod};
+use crate::stress::record::{FAILURES_DIR, FORMAT, Outcome, ROWS_FILE, StressInfo, StressMethod};
 use crate::stress::{StressRequest, Studio, sweep};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -38,10 +39,6 @@ pub(super) struct StressArgs {
     device: DeviceArgs,
 }
 
-#[allow(
-    clippy::print_stdout,
-    reason = "the matrix and the page's path are this command's result"
-)]
 pub(super) fn execute(args: &StressArgs) -> anyhow::Result<()> {
     let plan = plan(args)?;
     let gpu = args.device.open()?;
@@ -52,7 +49,7 @@ pub(super) fn execute(args: &StressArgs) -> anyhow::Result<()> {
     check_size(&gpu, plan.size_px, &place)?;
     let out = match &args.out {
         Some(out) => out.clone(),
-        None => default_out(Path::new(&plan.path), &gpu),
+        None => default_out(Path::new(&plan.path), &gpu)?,
     };
     crate::bench::new_directory(&out)?;
     let progress = Progress::counting("values")?;
@@ -70,10 +67,11 @@ pub(super) fn execute(args: &StressArgs) -> anyhow::Result<()> {
     progress.finish();
     info.complete = !progress.interrupted();
     info.duration_s = started.elapsed().as_secs_f64();
+    info.files = file_records(&out, &[ROWS_FILE], FAILURES_DIR)?;
     info.write(&out)?;
     let page = report::write_stability(&out, &error_map_legend())?;
-    print!("{}", StressRun::read(&out)?.matrix_text());
-    println!("\nreport: {}", page.display());
+    let matrix = StressRun::read(&out)?.matrix_text();
+    console::print(&format!("{matrix}\nreport: {}\n", page.display()));
     args.device.check_validation()?;
     if !info.complete {
         anyhow::bail!("interrupted; what was tried is in {}", out.display());
@@ -122,7 +120,7 @@ fn info(plan: &StressPlan, gpu: &Gpu) -> StressInfo {
         program_git: provenance::program_git(),
         started: jiff::Timestamp::now().to_string(),
         duration_s: 0.0,
-        command: std::env::args().collect(),
+        command: provenance::command(),
         device: DeviceRecord::of(gpu),
         host: HostRecord::here(),
         seed: plan.seed,
@@ -137,5 +135,6 @@ fn info(plan: &StressPlan, gpu: &Gpu) -> StressInfo {
             .iter()
             .map(|method| StressMethod::of(method.as_ref()))
             .collect(),
+        files: Vec::new(),
     }
 }

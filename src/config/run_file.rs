@@ -1,7 +1,7 @@
 //! The run configuration's TOML.
 
 use super::method_tables::read_methods;
-use super::misplaced::{Misplaced, missing, twice};
+use super::misplaced::{Misplaced, missing};
 use super::{
     ConfigError, RunPlan, ScenePlan, Verification, VerifiedFrames, find_scene, scene_lookup,
 };
@@ -257,7 +257,11 @@ fn read_scenes(wires: &[SceneWire], base: &Path) -> Result<Vec<ScenePlan>, Mispl
         let scene = read_scene(wire, base)?;
         let name = &scene.file.name;
         if scenes.iter().any(|earlier| earlier.file.name == *name) {
-            return Err(twice(wire.scene.span(), "scene", name));
+            let message = format!(
+                "the scene `{name}` is there already; results tell scenes apart by the names of their files: remove \
+                 or rename one of the two"
+            );
+            return Err(Misplaced::new(wire.scene.span(), message));
         }
         scenes.push(scene);
     }

@@ -4,7 +4,7 @@ use super::{ConfigError, ScenePlan};
 use crate::scene::{ModelSearch, SceneFile};
 use crate::toml_error::nearest;
 use include_dir::{Dir, include_dir};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 static SCENES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/scenes");
 
@@ -29,8 +29,9 @@ pub fn builtin_scenes() -> Vec<&'static str> {
 ///
 /// # Errors
 /// When there is none, or its file is wrong.
-pub fn find_scene(name: &str, base: &Path) -> Result<ScenePlan, ConfigError> {
-    let candidates = [PathBuf::from(name), base.join(name)];
+pub fn find_scene(name: impl AsRef<Path>, base: &Path) -> Result<ScenePlan, ConfigError> {
+    let name = name.as_ref();
+    let candidates = [name.to_owned(), base.join(name)];
     if let Some(path) = candidates.iter().find(|path| path.is_file()) {
         let file = SceneFile::read(path).map_err(|error| ConfigError(chain(&error)))?;
         return Ok(ScenePlan {
@@ -38,6 +39,8 @@ pub fn find_scene(name: &str, base: &Path) -> Result<ScenePlan, ConfigError> {
             search: ModelSearch::for_scene_file(path),
         });
     }
+    // What comes with the program has plain names.
+    let name = &*name.to_string_lossy();
     let path = Path::new("scenes").join(format!("{name}.toml"));
     let builtin = SCENES
         .get_file(format!("{name}.toml"))

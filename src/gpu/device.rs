@@ -66,6 +66,24 @@ pub enum GpuError {
         /// What is missing.
         missing: String,
     },
+    /// Validation is asked for where nothing validates.
+    #[error(
+        "--validation: `{adapter}` runs on {backend}, and the validation layers are of Vulkan alone: name another \
+         device with --adapter, or leave --validation out"
+    )]
+    ValidationNeedsVulkan {
+        /// The adapter's name.
+        adapter: String,
+        /// What it runs on.
+        backend: String,
+    },
+    /// Validation is asked for and its layers are not there.
+    #[error(
+        "--validation: the Vulkan loader finds no layer VK_LAYER_KHRONOS_validation: install the validation layers \
+         (Debian and Ubuntu: vulkan-validationlayers; Fedora: vulkan-validation-layers; else the Vulkan SDK), or \
+         name their folder in VK_ADD_LAYER_PATH"
+    )]
+    NoValidationLayer,
     /// The driver refused to open the device.
     #[error("`{adapter}` could not be opened: {reason}")]
     Open {
@@ -144,6 +162,18 @@ impl Gpu {
                 adapter: info.name,
                 missing,
             });
+        }
+        if options.validation {
+            match native::has_validation_layer(&adapter) {
+                Some(true) => {}
+                Some(false) => return Err(GpuError::NoValidationLayer),
+                None => {
+                    return Err(GpuError::ValidationNeedsVulkan {
+                        adapter: info.name,
+                        backend: info.backend.to_string(),
+                    });
+                }
+            }
         }
         let features = REQUIRED | (OPTIONAL & adapter.features());
         let opened = native::open(&adapter, features).map_err(|reason| GpuError::Open {

@@ -3,6 +3,7 @@
 //! wgpu hands them to the `log` facade. This logger counts those of the Vulkan validation layers,
 //! so that a run or a test can fail on them, and prints warnings and errors to standard error.
 
+use crate::console;
 use std::sync::{Mutex, Once, PoisonError};
 
 /// Parts of messages that are the layers' fault and not ours, with the reason.
@@ -35,10 +36,6 @@ impl log::Log for Messages {
         metadata.level() <= log::Level::Warn
     }
 
-    #[allow(
-        clippy::print_stderr,
-        reason = "this is the logger: standard error is where it writes"
-    )]
     fn log(&self, record: &log::Record<'_>) {
         if !self.enabled(record.metadata()) {
             return;
@@ -49,7 +46,10 @@ impl log::Log for Messages {
         if is_detail || NOT_OURS.iter().any(|(part, _reason)| text.contains(part)) {
             return;
         }
-        eprintln!("{}: {text}", record.level().as_str().to_lowercase());
+        console::say(&format!(
+            "{}: {text}",
+            record.level().as_str().to_lowercase()
+        ));
         // The messenger's record starts with the message type and the id: `VALIDATION [VUID-...`.
         if record.target().contains("vulkan::instance") && text.starts_with("VALIDATION") {
             COLLECTED

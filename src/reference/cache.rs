@@ -2,10 +2,12 @@
 
 use glam::Vec4;
 use std::fs::File;
-use std::io::{BufReader, BufWriter, Write};
+use std::io::BufReader;
 use std::path::{Path, PathBuf};
 
 use super::{ReferenceMask, ReferenceView, Verdict};
+use crate::image::Image;
+use crate::output;
 
 /// Part of every key: raise it whenever a verdict may come out otherwise, so that masks traced by
 /// an older program are not found.
@@ -86,7 +88,7 @@ impl ReferenceCache {
     fn store(&self, key: &CacheKey, mask: &ReferenceMask) {
         let Some(path) = self.path(key) else { return };
         if let Err(error) = write_png(&path, mask) {
-            log::debug!("reference mask not kept in {}: {error}", path.display());
+            log::debug!("reference mask not kept in {}: {error:#}", path.display());
         }
     }
 
@@ -112,23 +114,10 @@ fn read_png(path: &Path) -> Option<ReferenceMask> {
 }
 
 /// Writes beside the file and renames, so that no reader ever meets half a file.
-fn write_png(path: &Path, mask: &ReferenceMask) -> std::io::Result<()> {
-    let dir = path.parent().unwrap_or(Path::new("."));
-    std::fs::create_dir_all(dir)?;
-    let mut file = tempfile::NamedTempFile::new_in(dir)?;
-    {
-        let mut writer = BufWriter::new(&mut file);
-        let mut encoder = png::Encoder::new(&mut writer, mask.width, mask.height);
-        encoder.set_color(png::ColorType::Grayscale);
-        encoder.set_depth(png::BitDepth::Eight);
-        let mut encoder = encoder.write_header()?;
-        let bytes: Vec<u8> = mask.verdicts.iter().copied().map(to_byte).collect();
-        encoder.write_image_data(&bytes)?;
-        encoder.finish()?;
-        writer.flush()?;
-    }
-    file.persist(path)?;
-    Ok(())
+fn write_png(path: &Path, mask: &ReferenceMask) -> anyhow::Result<()> {
+    output::create_dir_all(path.parent().unwrap_or(Path::new(".")))?;
+    let bytes: Vec<u8> = mask.verdicts.iter().copied().map(to_byte).collect();
+    Image::grey((mask.width, mask.height), &bytes).write_png(path)
 }
 
 /// Unlike [`ReferenceMask::to_grey`], tells the background from what is lit.

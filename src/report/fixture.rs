@@ -43,6 +43,7 @@ pub(super) fn info(scenes: &[&str], methods: &[&str]) -> RunInfo {
         ..MethodRecord::default()
     };
     RunInfo {
+        files: Vec::new(),
         format: FORMAT,
         status: RunStatus::Complete,
         title: "A made-up run".to_owned(),

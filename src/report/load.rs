@@ -7,8 +7,9 @@ use anyhow::Result;
 use super::curve::Contender;
 use super::read::{read_info, read_optional_rows, read_rows};
 use crate::bench::record::{
-    BIAS_FILE, BiasRow, Cell, ERRORS_FILE, FrameError, MethodRecord, REGIONS_FILE, RegionRow,
-    RunInfo, RunStatus, SAMPLES_FILE, SUMMARY_FILE, Sample, Status, Summary, SweepRecord,
+    BIAS_FILE, BiasRow, Cell, ERRORS_FILE, FrameError, IMAGES_DIR, ImageKind, MethodRecord,
+    REGIONS_FILE, RUN_FILE, RegionRow, RunInfo, RunStatus, SAMPLES_FILE, SUMMARY_FILE, Sample,
+    Status, Summary, SweepRecord, check_files, earlier_image_name, image_name,
 };
 
 /// A run as its directory tells it.
@@ -41,6 +42,7 @@ impl Run {
         let info = read_info(dir)?;
         let mut warnings = info.warnings.clone();
         let cut_off = info.status != RunStatus::Complete;
+        warnings.extend(check_files(dir, RUN_FILE, &info.files)?);
         let samples: Vec<Sample> = read_rows(&dir.join(SAMPLES_FILE), cut_off, &mut warnings)?;
         let mut summaries: Vec<Summary> =
             read_rows(&dir.join(SUMMARY_FILE), cut_off, &mut warnings)?;
@@ -128,6 +130,28 @@ impl Run {
             .iter()
             .filter(named)
             .find_map(|record| record.sweep.as_ref())
+    }
+
+    /// Name of a picture in the folder of pictures; there may be none.
+    ///
+    /// Runs of versions that gave scenes of different names one picture have it shown under neither.
+    pub fn image(&self, scene: &str, method: &str, variant: &str, kind: ImageKind) -> String {
+        let name = image_name(scene, method, variant, kind);
+        let of = |scene: &str| earlier_image_name(scene, method, variant, kind);
+        let earlier = of(scene);
+        let is_there = |name: &str| self.dir.join(IMAGES_DIR).join(name).is_file();
+        let is_shared = || {
+            self.scenes()
+                .iter()
+                .filter(|other| of(other) == earlier)
+                .count()
+                > 1
+        };
+        if is_there(&name) || !self.info.files.is_empty() || is_shared() {
+            name
+        } else {
+            earlier
+        }
     }
 
     /// The verified frames that a row sums up.

@@ -1,5 +1,6 @@
 //! Several runs beside the paper: one report in a folder of its own.
 
+use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context as _, Result, bail};
@@ -8,8 +9,9 @@ use serde::Serialize;
 use super::groups::{self, Group};
 use super::load::Run;
 use super::paper::{self, Paper};
-use super::{HTML_FILE, html, plots, write, write_plots};
+use super::{HTML_FILE, html, plots, write_plots};
 use crate::bench::record::RunStatus;
+use crate::output::{self, write_atomically};
 
 /// Name of the file that says which runs a merged report was made of, and by which such a report is
 /// known.
@@ -26,7 +28,7 @@ struct Merged<'a> {
 
 #[derive(Debug, Serialize)]
 struct MergedRun<'a> {
-    dir: &'a Path,
+    dir: Cow<'a, str>,
     /// Label of its group of columns.
     group: &'a str,
     device: &'a str,
@@ -54,11 +56,11 @@ pub fn write_merged(dirs: &[PathBuf], out: &Path, force: bool) -> Result<PathBuf
 
     prepare(out)?;
     // First, so that a report that could not be finished can be written again.
-    write::text(&out.join(MERGED_FILE), &contents(&groups)?)?;
+    write_atomically(&out.join(MERGED_FILE), &contents(&groups)?)?;
     paper::write(out, paper.as_ref())?;
     write_plots(out, &plots)?;
     let page = out.join(HTML_FILE);
-    write::text(&page, &html::merged_page(&groups, paper.as_ref(), &plots))?;
+    write_atomically(&page, html::merged_page(&groups, paper.as_ref(), &plots))?;
     Ok(page)
 }
 
@@ -78,13 +80,13 @@ fn prepare(out: &Path) -> Result<()> {
             out.display()
         );
     }
-    std::fs::create_dir_all(out).with_context(|| format!("cannot create {}", out.display()))
+    output::create_dir_all(out)
 }
 
 fn contents(groups: &[Group<'_>]) -> Result<String> {
     let runs = groups.iter().flat_map(|group| {
         group.runs.iter().map(|run| MergedRun {
-            dir: &run.dir,
+            dir: run.dir.to_string_lossy(),
             group: &group.label,
             device: &run.info.device.name,
             driver_info: &run.info.device.driver_info,

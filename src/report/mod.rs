@@ -13,6 +13,7 @@ use std::slice;
 
 use anyhow::{Context as _, Result};
 
+use crate::output::{self, remove_stale, write_atomically};
 use paper::Paper;
 use plots::Plot;
 
@@ -30,7 +31,6 @@ pub mod table;
 
 mod markdown;
 mod read;
-mod write;
 
 pub use load::Run;
 pub use merged::write_merged;
@@ -58,7 +58,7 @@ pub struct LegendEntry {
 /// finished never passes for one. `legend` explains the colours of the run's error maps.
 pub fn write_all(dir: &Path, legend: &[LegendEntry]) -> Result<PathBuf> {
     let run = Run::read(dir)?;
-    write::text(&dir.join(TABLE_FILE), &table::markdown(&run))?;
+    write_atomically(&dir.join(TABLE_FILE), table::markdown(&run))?;
 
     let groups = groups::group(slice::from_ref(&run), false)?;
     let paper = Paper::compare(&groups)?;
@@ -72,7 +72,7 @@ pub fn write_all(dir: &Path, legend: &[LegendEntry]) -> Result<PathBuf> {
 
     let page = dir.join(HTML_FILE);
     let text = html::page(&run, paper.as_ref(), &clouds, &plots, legend)?;
-    write::text(&page, &text)?;
+    write_atomically(&page, &text)?;
     Ok(page)
 }
 
@@ -80,17 +80,15 @@ pub fn write_all(dir: &Path, legend: &[LegendEntry]) -> Result<PathBuf> {
 /// that an earlier report wrote and this one does not.
 fn write_plots(dir: &Path, plots: &[Plot]) -> Result<()> {
     let dir = dir.join(PLOTS_DIR);
-    std::fs::create_dir_all(&dir).with_context(|| format!("cannot create {}", dir.display()))?;
+    output::create_dir_all(&dir)?;
     for plot in plots {
-        write::text(&dir.join(format!("{}.svg", plot.name)), &plot.svg)?;
-        write::replace(&dir.join(format!("{}.png", plot.name)), |path| {
-            plot.write_png(path)
-        })?;
+        write_atomically(&dir.join(format!("{}.svg", plot.name)), &plot.svg)?;
+        plot.write_png(&dir.join(format!("{}.png", plot.name)))?;
     }
     let stale = paper::figure_names().chain(accuracy_plots(&dir)?);
     for name in stale.filter(|name| plots.iter().all(|plot| plot.name != *name)) {
-        write::remove(&dir.join(format!("{name}.svg")))?;
-        write::remove(&dir.join(format!("{name}.png")))?;
+        remove_stale(&dir.join(format!("{name}.svg")))?;
+        remove_stale(&dir.join(format!("{name}.png")))?;
     }
     Ok(())
 }

@@ -8,6 +8,7 @@ use anyhow::{Context as _, Result, bail};
 use serde::de::DeserializeOwned;
 
 use crate::bench::record::{FORMAT, RUN_FILE, RunInfo};
+use crate::table::unguarded;
 
 /// The file by which a directory is known for what it is.
 pub(super) struct Head {
@@ -127,7 +128,7 @@ fn parse<T: DeserializeOwned>(text: &str) -> Result<Vec<(u64, T)>, csv::Error> {
     for record in reader.records() {
         let record = record?;
         let line = record.position().map_or(1, csv::Position::line);
-        rows.push((line, record.deserialize(Some(&headers))?));
+        rows.push((line, unguarded(&record).deserialize(Some(&headers))?));
     }
     Ok(rows)
 }

@@ -3,12 +3,12 @@
 use std::collections::HashSet;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
-use std::{fs, io};
 
 use glam::Vec3;
 
 use super::camera::radians;
 use super::{CameraPath, Mesh, Scene, SceneError, SceneFile};
+use crate::output;
 
 /// Why a scene could not be written.
 #[derive(Debug, thiserror::Error)]
@@ -23,13 +23,8 @@ pub enum ExportError {
     #[error("the scene cannot be written as a scene file")]
     Invalid(#[source] Box<SceneError>),
     /// The system refuses.
-    #[error("{}: cannot be written", path.display())]
-    Write {
-        /// The file or folder.
-        path: PathBuf,
-        /// What the system says.
-        source: io::Error,
-    },
+    #[error(transparent)]
+    Write(#[from] anyhow::Error),
 }
 
 /// Writes `<stem>.obj` and `<stem>.toml` into `dir`, which is made if it is missing, and returns the path of
@@ -59,14 +54,10 @@ pub fn write(scene: &Scene, dir: &Path, stem: &str) -> Result<PathBuf, ExportErr
     // Reading decides what is valid.
     SceneFile::parse(&text, &path.to_string_lossy())
         .map_err(|error| ExportError::Invalid(Box::new(error)))?;
-    let refused = |path: &Path| {
-        let path = path.to_owned();
-        |source| ExportError::Write { path, source }
-    };
-    fs::create_dir_all(dir).map_err(refused(dir))?;
+    output::create_dir_all(dir)?;
     let model = dir.join(format!("{stem}.obj"));
-    fs::write(&model, obj_text(&mesh, &names)).map_err(refused(&model))?;
-    fs::write(&path, text).map_err(refused(&path))?;
+    output::write_atomically(&model, obj_text(&mesh, &names))?;
+    output::write_atomically(&path, text)?;
     Ok(path)
 }
 

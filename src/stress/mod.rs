@@ -30,5 +30,3 @@ pub use finding::Finding;
 pub use fuzz::{Failure, FuzzPlan, Tally, fuzz};
 pub use sweep::{StressRequest, sweep};
 pub use trial::{Attempt, Drawn, NoPicture, Studio, Trial};
-
-pub(crate) use sweep::file_name;

@@ -2,9 +2,9 @@
 //! every picture, and the folder `failures` a picture of each method's first failure.
 
 use super::cause::Cause;
-use crate::bench::record::{DeviceRecord, HostRecord};
+use crate::bench::record::{DeviceRecord, FileRecord, HostRecord};
 use crate::methods::{ShadowMethod, full_name};
-use anyhow::Context;
+use crate::output;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 
@@ -60,6 +60,10 @@ pub struct StressInfo {
     pub causes: Vec<CauseRecord>,
     /// The methods, in the order of the configuration.
     pub methods: Vec<StressMethod>,
+    /// The table, pictures and scenes as they were when the run ended; empty while it is under way, and in runs from
+    /// before they were noted.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub files: Vec<FileRecord>,
 }
 
 impl StressInfo {
@@ -68,9 +72,9 @@ impl StressInfo {
     /// # Errors
     /// When it cannot be written.
     pub fn write(&self, out: &Path) -> anyhow::Result<()> {
-        let path = out.join(STRESS_FILE);
-        crate::image::replace_file(&path, |file| Ok(serde_json::to_writer_pretty(file, self)?))
-            .with_context(|| format!("cannot write {}", path.display()))
+        output::write_with(&out.join(STRESS_FILE), |file| {
+            Ok(serde_json::to_writer_pretty(file, self)?)
+        })
     }
 }
 

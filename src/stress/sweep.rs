@@ -6,10 +6,13 @@ use super::record::{FAILURES_DIR, GAP_PX, Outcome, ROWS_FILE, StressRow};
 use super::trial::{Attempt, Drawn, NoPicture, Studio};
 use crate::bench::Observer;
 use crate::bench::record::pairs_to_text;
+use crate::file_name::{file_name, method_file_name};
 use crate::image::Image;
 use crate::methods::ShadowMethod;
+use crate::output;
 use crate::reference::ReferenceMask;
 use crate::scene::{Scene, export};
+use crate::table::Table;
 use anyhow::Context;
 use std::path::Path;
 
@@ -37,11 +40,9 @@ pub struct StressRequest<'a> {
 /// When a file cannot be written.
 pub fn sweep(request: &StressRequest<'_>) -> anyhow::Result<Vec<StressRow>> {
     let failures = request.out.join(FAILURES_DIR);
-    std::fs::create_dir_all(&failures)
-        .with_context(|| format!("cannot create {}", failures.display()))?;
+    output::create_dir_all(&failures)?;
     let path = request.out.join(ROWS_FILE);
-    let mut writer = csv::Writer::from_path(&path)
-        .with_context(|| format!("cannot create {}", path.display()))?;
+    let mut table = Table::create(&path)?;
     let steps = request.causes.iter().map(|cause| cause.values.len() as u64);
     request.observer.begin(steps.sum());
     let mut rows = Vec::new();
@@ -54,11 +55,8 @@ pub fn sweep(request: &StressRequest<'_>) -> anyhow::Result<Vec<StressRow>> {
             }
             let place = || format!("cause `{}` at {value}", cause.id);
             let found = try_value(request, cause, value, &mut kept).with_context(place)?;
-            for row in found {
-                writer.serialize(&row)?;
-                rows.push(row);
-            }
-            writer.flush()?;
+            table.append(&found)?;
+            rows.extend(found);
             request.observer.advance(1);
         }
     }
@@ -152,7 +150,8 @@ fn keep(
     if !folder.join(format!("{stem}.toml")).exists() {
         export::write(scene, &folder, &stem)?;
     }
-    let name = file_name(&format!("{}_{}", scene.name, method.name())) + ".png";
+    let method = method_file_name(method.info().id, &method.variant());
+    let name = format!("{stem}_{method}.png");
     let (width, height) = request.studio.size_px;
     let truth = truth.to_grey();
     let rgb = strip(width as usize, &truth, drawn);
@@ -173,13 +172,4 @@ fn strip(width: usize, truth: &[u8], drawn: &Drawn) -> Vec<u8> {
         [&grey(truth), &gap[..], &grey(mask), &gap, errors].concat()
     })
     .collect()
-}
-
-/// Letters, digits and what else is safe in the name of a file and in an address.
-pub(crate) fn file_name(text: &str) -> String {
-    let safe = |c: char| {
-        let is_safe = c.is_ascii_alphanumeric() || "-_.".contains(c);
-        if is_safe { c } else { '-' }
-    };
-    text.trim().chars().map(safe).collect()
 }

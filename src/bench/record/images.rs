@@ -1,5 +1,7 @@
 //! The names of a run's pictures.
 
+use crate::file_name::{file_name, parameters_file_name};
+
 /// What a picture in `images/` shows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ImageKind {
@@ -13,46 +15,61 @@ pub enum ImageKind {
     Reference,
 }
 
-/// The file name of a picture in `images/`: `sponza__silhouette_ts__reference_edge_mask.png`.
-///
-/// Anything but ASCII letters, digits, `_`, `-` and inner dots becomes `-`, so that a name from a
-/// configuration can neither leave the folder nor trip a file system.
+impl ImageKind {
+    fn suffix(self) -> &'static str {
+        match self {
+            Self::Picture => "picture",
+            Self::Mask => "mask",
+            Self::Error => "error",
+            Self::Reference => "reference",
+        }
+    }
+}
+
+/// The file name of a picture in `images/`: `sponza__silhouette_ts__determinism-none_mask.png`. Each cell has its own,
+/// see [`crate::file_name`].
 pub fn image_name(scene: &str, method: &str, variant: &str, kind: ImageKind) -> String {
-    let (scene, method, variant) = (file_safe(scene), file_safe(method), file_safe(variant));
-    let suffix = match kind {
-        ImageKind::Picture => "picture",
-        ImageKind::Mask => "mask",
-        ImageKind::Error => "error",
-        ImageKind::Reference => return format!("{scene}__reference.png"),
-    };
+    let (scene, suffix) = (file_name(scene), kind.suffix());
+    if kind == ImageKind::Reference {
+        return format!("{scene}__{suffix}.png");
+    }
+    let method = file_name(method);
     if variant.is_empty() {
         format!("{scene}__{method}_{suffix}.png")
     } else {
+        let variant = parameters_file_name(variant);
         format!("{scene}__{method}__{variant}_{suffix}.png")
     }
 }
 
-/// `text` with every character that is not safe in a file name replaced by `-`.
-pub fn file_safe(text: &str) -> String {
+/// The name that versions up to 0.4.0 gave a picture; several scenes might share one.
+pub fn earlier_image_name(scene: &str, method: &str, variant: &str, kind: ImageKind) -> String {
     let safe = |c: char| c.is_ascii_alphanumeric() || matches!(c, '_' | '-' | '.');
-    let name: String = text
-        .chars()
-        .map(|c| if safe(c) { c } else { '-' })
-        .collect();
-    if name.starts_with('.') {
-        name.replacen('.', "-", 1)
-    } else {
-        name
+    let earlier = |text: &str| {
+        let name: String = text
+            .chars()
+            .map(|c| if safe(c) { c } else { '-' })
+            .collect();
+        match name.strip_prefix('.') {
+            Some(rest) => format!("-{rest}"),
+            None => name,
+        }
+    };
+    let (scene, suffix) = (earlier(scene), kind.suffix());
+    match (kind, earlier(method), earlier(variant)) {
+        (ImageKind::Reference, ..) => format!("{scene}__{suffix}.png"),
+        (_, method, variant) if variant.is_empty() => format!("{scene}__{method}_{suffix}.png"),
+        (_, method, variant) => format!("{scene}__{method}__{variant}_{suffix}.png"),
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use super::ImageKind::{Error, Mask, Reference};
     use super::*;
 
     #[test]
     fn image_names_are_safe_and_tell_cells_apart() {
-        use ImageKind::{Error, Mask, Reference};
         assert_eq!(
             image_name("sponza", "ray_query", "", Mask),
             "sponza__ray_query_mask.png"
@@ -65,8 +82,31 @@ mod tests {
             image_name("sponza", "any", "any", Reference),
             "sponza__reference.png"
         );
+        let names = ["a b", "a-b", "a_b", "A-b", "../a", &"x".repeat(300)]
+            .map(|scene| image_name(scene, "m", "k=v", Mask));
+        assert!(
+            names
+                .iter()
+                .all(|name| name.len() < 255 && !name.contains('/'))
+        );
+        let mut apart = names.to_vec();
+        apart.sort();
+        apart.dedup();
+        assert_eq!(apart.len(), names.len(), "{names:?}");
+    }
+
+    #[test]
+    fn what_was_plain_before_is_called_as_before() {
+        for (scene, variant) in [("sponza", ""), ("sphere_grid_n18", "slope_bias=-0.5,pcf=3")] {
+            for kind in [Mask, Reference] {
+                assert_eq!(
+                    image_name(scene, "shadow_map", variant, kind),
+                    earlier_image_name(scene, "shadow_map", variant, kind)
+                );
+            }
+        }
         assert_eq!(
-            image_name("../../a<b>", "", "", Reference),
+            earlier_image_name("../../a<b>", "", "", Reference),
             "-.-..-a-b-__reference.png"
         );
     }

@@ -1,9 +1,10 @@
 //! Where a run's numbers come from: `run.json`.
 
+use super::FileRecord;
 use serde::{Deserialize, Serialize};
 
 /// Where a run's numbers come from (`run.json`).
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct RunInfo {
     /// Layout of the run directory, [`super::FORMAT`] when written by this version.
     pub format: u32,
@@ -50,13 +51,18 @@ pub struct RunInfo {
     pub scale: String,
     /// What the reader should know before trusting a number.
     pub warnings: Vec<String>,
+    /// The tables and pictures as they were when the run ended; empty while it is under way, and in runs from before
+    /// they were noted.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub files: Vec<FileRecord>,
 }
 
 /// How far a run came.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum RunStatus {
     /// Still measuring, or killed before it could say otherwise.
+    #[default]
     Running,
     /// Every cell has its row.
     Complete,
@@ -64,6 +70,18 @@ pub enum RunStatus {
     Interrupted,
     /// Stopped by an error.
     Failed,
+}
+
+impl RunStatus {
+    /// The word in `run.json`.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Running => "running",
+            Self::Complete => "complete",
+            Self::Interrupted => "interrupted",
+            Self::Failed => "failed",
+        }
+    }
 }
 
 /// The device measured and its driver.

@@ -15,13 +15,15 @@
 //! | `images/` | pictures, named by [`image_name`] |
 
 mod errors;
+mod files;
 mod images;
 mod info;
 mod pairs;
 mod rows;
 
 pub use errors::{BiasRow, FrameError, RegionRow};
-pub use images::{ImageKind, file_safe, image_name};
+pub use files::{FileRecord, check_files, file_records};
+pub use images::{ImageKind, earlier_image_name, image_name};
 pub use info::{
     DeviceRecord, EdgeRecord, HostRecord, MethodRecord, RunInfo, RunStatus, SceneRecord, Status,
     SweepRecord,

@@ -21,7 +21,7 @@ mod target;
 pub use bindings::{BindingKind, Bindings};
 pub use geometry::IndexedGeometry;
 pub use memory::{free_heap_bytes, most_bytes_at_once};
-pub use open::{Opened, StageSupport, open, support};
+pub use open::{Opened, StageSupport, has_validation_layer, open, support};
 pub use pass::NativePass;
 pub use pipeline::{Pipeline, PipelineDesc, PrimitiveTopology, Raster, VertexInput};
 pub use target::Target;

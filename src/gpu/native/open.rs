@@ -53,6 +53,22 @@ pub fn support(adapter: &wgpu::Adapter) -> StageSupport {
     }
 }
 
+/// Whether the loader of the adapter has the validation layer; `None` where it does not run on Vulkan.
+pub fn has_validation_layer(adapter: &wgpu::Adapter) -> Option<bool> {
+    // SAFETY: the adapter is only asked for its loader.
+    let hal = unsafe { adapter.as_hal::<Vulkan>() }?;
+    // SAFETY: `hal` keeps the loader alive, and nothing of it is kept.
+    let layers = unsafe {
+        hal.shared_instance()
+            .entry()
+            .enumerate_instance_layer_properties()
+    };
+    let is_it = |layer: &vk::LayerProperties| {
+        layer.layer_name_as_c_str() == Ok(c"VK_LAYER_KHRONOS_validation")
+    };
+    Some(layers.is_ok_and(|layers| layers.iter().any(is_it)))
+}
+
 /// Opens the adapter with `features`, and with every native stage that it has.
 ///
 /// # Errors

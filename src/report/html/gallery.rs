@@ -6,7 +6,7 @@ use anyhow::Result;
 use maud::{Markup, html};
 
 use super::pictures::{Picture, picture};
-use crate::bench::record::{IMAGES_DIR, ImageKind, Summary, image_name};
+use crate::bench::record::{IMAGES_DIR, ImageKind, Summary};
 use crate::report::LegendEntry;
 use crate::report::curve::{Contender, Curves};
 use crate::report::load::Run;
@@ -108,7 +108,7 @@ fn is_first(curves: &Curves, contender: &Contender) -> bool {
 }
 
 fn size_bytes(run: &Run, row: &Summary) -> u64 {
-    let names = KINDS.map(|(kind, ..)| image_name(&row.scene, &row.method, &row.variant, kind));
+    let names = KINDS.map(|(kind, ..)| run.image(&row.scene, &row.method, &row.variant, kind));
     let sizes = names.iter().map(|name| {
         // What cannot be read is reported where it is embedded.
         std::fs::metadata(run.dir.join(IMAGES_DIR).join(name)).map_or(0, |data| data.len())
@@ -157,7 +157,7 @@ fn scene_gallery(
     let title = run.scene_title(scene);
     let reference = picture(
         run,
-        &image_name(scene, "", "", ImageKind::Reference),
+        &run.image(scene, "", "", ImageKind::Reference),
         "Reference mask",
         format!("{title}: shadow mask by the ray-traced reference"),
         true,
@@ -193,7 +193,7 @@ fn strip(run: &Run, scene_title: &str, row: &Summary, held: &Held) -> Result<Str
     let hold = held.holds(&row.scene, &label);
     let mut pictures = Vec::new();
     for (kind, caption, what) in KINDS {
-        let name = image_name(&row.scene, &row.method, &row.variant, kind);
+        let name = run.image(&row.scene, &row.method, &row.variant, kind);
         let alt = format!("{scene_title}, {label}: {what}");
         pictures.extend(picture(run, &name, caption, alt, hold)?);
     }

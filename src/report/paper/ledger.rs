@@ -9,6 +9,7 @@ use super::evidence::Evidence;
 use super::sheet::{Sheet, Source};
 use crate::report::groups::Group;
 use crate::report::markdown::{align, escape};
+use crate::table::text;
 
 /// Whose numbers a row of the ledger is about, where they are the paper's.
 pub const OWN_TABLES: &str = "The paper's own tables";
@@ -82,22 +83,22 @@ impl Ledger {
 
     /// The ledger as CSV, a row for each claim and measurer.
     pub fn csv(&self) -> Result<String> {
-        let mut writer = csv::Writer::from_writer(Vec::new());
+        let mut rows = Vec::new();
         for Entry {
             claim,
             paper,
             devices,
         } in &self.entries
         {
-            writer.serialize(Row {
+            rows.push(Row {
                 verdict: "",
                 ..self.row(claim, "paper", OWN_TABLES, paper)
-            })?;
+            });
             for (device, finding) in devices {
-                writer.serialize(self.row(claim, "measured", device, finding))?;
+                rows.push(self.row(claim, "measured", device, finding));
             }
         }
-        Ok(String::from_utf8(writer.into_inner()?)?)
+        Ok(String::from_utf8(text(&rows)?)?)
     }
 
     fn row<'a>(

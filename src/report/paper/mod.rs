@@ -7,10 +7,10 @@
 
 use std::path::Path;
 
-use anyhow::{Context as _, Result};
+use anyhow::Result;
 
 use super::groups::Group;
-use super::write;
+use crate::output::{self, remove_stale, write_atomically};
 
 pub mod check;
 pub mod claims;
@@ -62,8 +62,7 @@ pub(super) fn write(dir: &Path, paper: Option<&Paper>) -> Result<()> {
     let dir = dir.join(PAPER_DIR);
     let mut files: Vec<(String, [String; 2])> = Vec::new();
     if let Some(Paper { sheets, ledger }) = paper {
-        std::fs::create_dir_all(&dir)
-            .with_context(|| format!("cannot create {}", dir.display()))?;
+        output::create_dir_all(&dir)?;
         for sheet in sheets {
             files.push((sheet.spec.table_name(), [sheet.csv()?, sheet.markdown()]));
         }
@@ -78,8 +77,8 @@ pub(super) fn write(dir: &Path, paper: Option<&Paper>) -> Result<()> {
         for (index, extension) in ["csv", "md"].into_iter().enumerate() {
             let path = dir.join(format!("{stem}.{extension}"));
             match texts {
-                Some((_, texts)) => write::text(&path, &texts[index])?,
-                None => write::remove(&path)?,
+                Some((_, texts)) => write_atomically(&path, &texts[index])?,
+                None => remove_stale(&path)?,
             }
         }
     }

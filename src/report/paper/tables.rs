@@ -6,6 +6,7 @@ use serde::Serialize;
 use super::sheet::{Column, Sheet};
 use super::spec::{Place, Point};
 use crate::report::markdown::{align, escape};
+use crate::table::text;
 
 /// A row of a table's CSV; `device` to `fps` are the columns of the published files.
 #[derive(Debug, Serialize)]
@@ -40,18 +41,18 @@ pub struct Address {
 impl Sheet {
     /// The table as CSV: a row for each cell of each device, measured or not.
     pub fn csv(&self) -> Result<String> {
-        let mut writer = csv::Writer::from_writer(Vec::new());
+        let mut rows = Vec::new();
         for column in &self.columns {
             for point in 0..self.points.len() {
                 for series in 0..self.spec.series.len() {
                     // What the paper lacks is no cell that it left empty.
                     if self.spec.series[series].in_paper || !column.is_published() {
-                        writer.serialize(self.row(column, Address { series, point }))?;
+                        rows.push(self.row(column, Address { series, point }));
                     }
                 }
             }
         }
-        Ok(String::from_utf8(writer.into_inner()?)?)
+        Ok(String::from_utf8(text(&rows)?)?)
     }
 
     fn row<'a>(&'a self, column: &'a Column, Address { series, point }: Address) -> Row<'a> {

@@ -6,8 +6,9 @@ use anyhow::{Context as _, Result};
 use serde::Serialize;
 
 use super::{Cloud, PARETO_FILE, Point};
+use crate::output::{remove_stale, write_atomically};
 use crate::report::curve::Curve;
-use crate::report::write;
+use crate::table::text;
 
 /// What stands for the scene in rows over all scenes.
 const ALL_SCENES: &str = "*";
@@ -40,26 +41,23 @@ struct Row<'a> {
 pub(in crate::report) fn write(dir: &Path, clouds: &[Cloud]) -> Result<()> {
     let path = dir.join(PARETO_FILE);
     if clouds.is_empty() {
-        return write::remove(&path);
+        return remove_stale(&path);
     }
     let contents = csv(clouds).with_context(|| format!("cannot make {PARETO_FILE}"))?;
-    write::text(&path, &contents)
+    write_atomically(&path, &contents)
 }
 
-fn csv(clouds: &[Cloud]) -> Result<String> {
-    let mut writer = csv::Writer::from_writer(Vec::new());
+fn csv(clouds: &[Cloud]) -> Result<Vec<u8>> {
+    let mut rows = Vec::new();
     // Scenes first, as in the summary; the rows over all of them last.
     let (overall, scenes): (Vec<&Cloud>, Vec<&Cloud>) =
         clouds.iter().partition(|cloud| cloud.scene.is_none());
     for cloud in scenes.into_iter().chain(overall) {
         for point in &cloud.points {
-            writer.serialize(row(cloud, point))?;
+            rows.push(row(cloud, point));
         }
     }
-    let bytes = writer
-        .into_inner()
-        .map_err(csv::IntoInnerError::into_error)?;
-    Ok(String::from_utf8(bytes)?)
+    text(&rows)
 }
 
 fn row<'a>(cloud: &'a Cloud, point: &'a Point) -> Row<'a> {

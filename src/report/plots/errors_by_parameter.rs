@@ -4,7 +4,7 @@ use super::axis::Axis;
 use super::legend::Key;
 use super::lines::{Line, LineChart};
 use super::{Chart, Figure};
-use crate::bench::record::file_safe;
+use crate::file_name::file_name;
 use crate::report::curve::{Contender, Curves};
 use crate::report::load::Run;
 use crate::report::pareto::{Cloud, Point};
@@ -36,8 +36,8 @@ pub(super) fn figures(run: &Run, clouds: &[Cloud]) -> Vec<Figure> {
             let Some(chart) = chart(cloud, &curves, parameter) else {
                 continue;
             };
-            let mut name = format!("{PREFIX}{}_{}", file_safe(parameter), file_safe(scene));
-            // Scenes may differ only in what a file name cannot hold.
+            let mut name = format!("{PREFIX}{}_{}", file_name(parameter), file_name(scene));
+            // Where a parameter ends and a scene begins, the name does not say.
             while figures.iter().any(|other| other.name == name) {
                 name.push('-');
             }

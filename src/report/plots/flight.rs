@@ -6,8 +6,9 @@ use super::axis::Axis;
 use super::chosen::Chosen;
 use super::lines::{Line, LineChart};
 use super::{Chart, Figure};
-use crate::bench::record::{Summary, file_safe};
+use crate::bench::record::Summary;
 use crate::bench::statistics::median;
+use crate::file_name::file_name;
 use crate::report::load::Run;
 
 /// A figure per scene in which at least two frames were measured.
@@ -45,7 +46,7 @@ fn figure(run: &Run, scene: &str, chosen: &Chosen) -> Option<Figure> {
     );
     let y = Axis::fit("Shadow time, ms", points.map(|point| point.1));
     Some(Figure {
-        name: format!("flight_{}", file_safe(scene)),
+        name: format!("flight_{}", file_name(scene)),
         title: format!(
             "Shadow time along the flight, {}{}",
             run.scene_title(scene),

@@ -15,6 +15,7 @@ use plotters::style::register_font;
 use super::load::Run;
 use super::paper::Paper;
 use super::pareto::Cloud;
+use crate::image::Image;
 
 mod axis;
 mod bars;
@@ -120,14 +121,16 @@ impl Plot {
         matches!(self.chart, Chart::Scatter(_))
     }
 
-    /// Writes the plot as a PNG to `path`, whose extension must be `.png`.
+    /// Writes the plot as a PNG to `path`.
     pub fn write_png(&self, path: &Path) -> Result<()> {
         install_font();
         let (width, height) = self.chart.size_px();
         let size_px = (width * PNG_SCALE, height * PNG_SCALE);
-        let backend = BitMapBackend::new(path, size_px);
+        let mut rgb = vec![0; 3 * size_px.0 as usize * size_px.1 as usize];
+        let backend = BitMapBackend::with_buffer(&mut rgb, size_px);
         paint(&self.chart, &self.title, &backend.into_drawing_area())
-            .with_context(|| format!("cannot draw the plot {}", self.name))
+            .with_context(|| format!("cannot draw the plot {}", self.name))?;
+        Image::rgb(size_px, &rgb).write_png(path)
     }
 }
 

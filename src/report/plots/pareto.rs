@@ -5,13 +5,16 @@ use super::canvas::shortened;
 use super::legend::Key;
 use super::scatter::{CurveLine, Dot, ScatterChart};
 use super::{Chart, Figure};
-use crate::bench::record::{SweepRecord, file_safe};
+use crate::bench::record::SweepRecord;
+use crate::file_name::file_name;
 use crate::report::curve::Curves;
 use crate::report::load::Run;
 use crate::report::pareto::{Cloud, Point};
 
 /// How the name of each of these plots begins.
 pub(in crate::report) const PREFIX: &str = "pareto_";
+/// What stands for the scene in the name of the plot over all of them.
+const ALL: &str = "all";
 /// How much of an axis is kept for zero.
 const ZERO_BAND: f64 = 0.14;
 /// Enough for a method with a parameter; longer ones lose their middle.
@@ -23,22 +26,16 @@ const SHORT_PARAMETER: usize = 4;
 /// A figure for each cloud.
 pub(super) fn figures(run: &Run, clouds: &[Cloud]) -> Vec<Figure> {
     let curves = Curves::of(run);
-    let mut figures: Vec<Figure> = Vec::new();
-    for cloud in clouds {
-        let mut figure = figure(run, cloud, &curves);
-        // Scenes may differ only in what a file name cannot hold, and one may be called `all`.
-        while figures.iter().any(|other| other.name == figure.name) {
-            figure.name.push('-');
-        }
-        figures.push(figure);
-    }
-    figures
+    let figure = |cloud| figure(run, cloud, &curves);
+    clouds.iter().map(figure).collect()
 }
 
 fn figure(run: &Run, cloud: &Cloud, curves: &Curves) -> Figure {
     let (name, place) = match &cloud.scene {
-        Some(scene) => (file_safe(scene), run.scene_title(scene)),
-        None => ("all".to_owned(), "over all scenes"),
+        // Not the name of the plot over all scenes.
+        Some(scene) if scene == ALL => (format!("{ALL}~scene"), run.scene_title(scene)),
+        Some(scene) => (file_name(scene), run.scene_title(scene)),
+        None => (ALL.to_owned(), "over all scenes"),
     };
     Figure {
         name: format!("{PREFIX}{name}"),

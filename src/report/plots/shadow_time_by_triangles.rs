@@ -4,7 +4,7 @@ use super::axis::Axis;
 use super::chosen::Chosen;
 use super::lines::{Line, LineChart};
 use super::{Chart, Figure};
-use crate::bench::record::file_safe;
+use crate::file_name::file_name;
 use crate::report::load::Run;
 
 /// A figure per family of scenes that has at least two points.
@@ -69,7 +69,7 @@ fn figure(run: &Run, family_name: &str) -> Option<Figure> {
         points().map(|point| point.1),
     );
     Some(Figure {
-        name: format!("shadow_time_by_triangles_{}", file_safe(family_name)),
+        name: format!("shadow_time_by_triangles_{}", file_name(family_name)),
         title: format!("Shadow time by casting triangles, {family_name}{remark}"),
         chart: Chart::Lines(LineChart {
             x,

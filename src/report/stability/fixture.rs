@@ -33,6 +33,7 @@ fn method(id: &str, variant: &str) -> StressMethod {
 /// Three causes, three methods.
 pub(super) fn info() -> StressInfo {
     StressInfo {
+        files: Vec::new(),
         format: FORMAT,
         complete: true,
         title: "Where it <hurts>".to_owned(),

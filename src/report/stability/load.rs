@@ -1,5 +1,6 @@
 //! A stress run, read back from its directory.
 
+use crate::bench::record::check_files;
 use crate::report::read::{Head, read_head, read_lines};
 use crate::stress::record::{FORMAT, ROWS_FILE, STRESS_FILE, StressInfo, StressRow};
 use anyhow::{Result, bail};
@@ -32,7 +33,7 @@ impl StressRun {
         };
         let info: StressInfo = read_head(dir, &head)?;
         let path = dir.join(ROWS_FILE);
-        let mut warnings = Vec::new();
+        let mut warnings = Vec::from_iter(check_files(dir, STRESS_FILE, &info.files)?);
         let lines = read_lines(&path, STRESS_FILE, !info.complete, &mut warnings)?;
         let mut rows: Vec<StressRow> = Vec::with_capacity(lines.len());
         for (line, row) in lines {

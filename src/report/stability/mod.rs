@@ -3,7 +3,8 @@
 //!
 //! It is made from the files of the run alone, see [`crate::stress::record`].
 
-use super::{HTML_FILE, LegendEntry, html, write};
+use super::{HTML_FILE, LegendEntry, html};
+use crate::output::write_atomically;
 use anyhow::Result;
 use std::path::{Path, PathBuf};
 
@@ -24,9 +25,9 @@ pub const MATRIX_FILE: &str = "matrix.md";
 /// When a file of the run is broken, or one cannot be written.
 pub fn write_stability(dir: &Path, legend: &[LegendEntry]) -> Result<PathBuf> {
     let run = StressRun::read(dir)?;
-    write::text(&dir.join(MATRIX_FILE), &run.matrix_markdown())?;
+    write_atomically(&dir.join(MATRIX_FILE), run.matrix_markdown())?;
     let page = dir.join(HTML_FILE);
-    write::text(&page, &html::stability_page(&run, legend)?)?;
+    write_atomically(&page, &html::stability_page(&run, legend)?)?;
     Ok(page)
 }
 

@@ -2,11 +2,11 @@
 
 use super::failure_id;
 use crate::bench::record::pairs_from_text;
+use crate::file_name::file_name;
 use crate::methods::full_name;
 use crate::report::format::{count, short};
 use crate::report::html::pictures::data_uri;
 use crate::report::stability::{Failure, Line, Matrix, StressRun};
-use crate::stress::file_name;
 use crate::stress::record::{FAILURES_DIR, GAP_PX, Outcome, StressRow};
 use anyhow::Result;
 use maud::{Markup, html};
