@@ -359,7 +359,7 @@ fn a_broken_model_fails_with_its_line() {
         ("nan.obj", b"v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n", &["nan.obj:2:", "finite"]),
         ("inf.obj", b"v 0 0 0\nv 1 0 0\nv 0 -inf 0\nf 1 2 3\n", &["inf.obj:3:", "finite"]),
         ("word.obj", b"v 0 0 0\nv 1 x 0\nv 0 1 0\nf 1 2 3\n", &["word.obj:2:", "`x` is not a num"]),
-        ("bytes.obj", b"\xff\xfe\x00\x01\x80\n\x00\nv\xf0", &["bytes.obj: has no faces"]),
+        ("bytes.obj", b"\xff\xfe\x00\x01\x80\n\x00\nv\xf0", &["bytes.obj: is UTF-16 text", "save it as UTF-8"]),
     ];
     for (file, contents, parts) in table {
         room.write(file, contents);

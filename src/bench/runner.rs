@@ -34,6 +34,8 @@ pub struct RunOutcome {
     pub status: RunStatus,
     /// A row a cell.
     pub summaries: Vec<Summary>,
+    /// What to know before trusting a number, as in `run.json`.
+    pub warnings: Vec<String>,
 }
 
 impl RunOutcome {
@@ -96,6 +98,7 @@ pub fn run(request: &RunRequest<'_>) -> anyhow::Result<RunOutcome> {
         None => Ok(RunOutcome {
             status: info.status,
             summaries,
+            warnings: info.warnings,
         }),
     }
 }

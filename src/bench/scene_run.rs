@@ -275,7 +275,10 @@ fn scene_record(scene: &Scene, context: &PrepareContext<'_>) -> SceneRecord {
 
 /// What the reader of a scene's results should know, each thing once.
 fn warnings(scene: &Scene, cells: &[CellRun<'_>]) -> Vec<String> {
-    let mut warnings = Vec::new();
+    let notes = scene.notes.iter();
+    let mut warnings: Vec<_> = notes
+        .map(|note| format!("{}: {note}", scene.name))
+        .collect();
     for run in cells {
         for text in run.prepared().map(|p| p.warnings()).unwrap_or_default() {
             let warning = format!("{}, {}: {text}", scene.name, run.cell.method);

@@ -75,6 +75,9 @@ pub(super) fn execute(args: &MinimiseArgs) -> anyhow::Result<()> {
     let minimised = search(&scene, &studio, &methods, args, &watch);
     progress.finish();
     let minimised = minimised?;
+    for note in &scene.notes {
+        println!("note: {note}");
+    }
 
     let stem = format!("{}_minimal", scene.name);
     let path = export::write(&minimised.scene, &args.out, &stem)?;

@@ -71,7 +71,11 @@ pub(super) fn execute(args: &RunArgs, accuracy: Option<u32>) -> anyhow::Result<(
         "{}",
         std::fs::read_to_string(out.join(crate::report::TABLE_FILE))?
     );
-    println!("\nreport: {}", page.display());
+    println!();
+    for warning in &outcome.warnings {
+        println!("note: {warning}");
+    }
+    println!("report: {}", page.display());
     args.device.check_validation()?;
     if outcome.status == RunStatus::Interrupted {
         anyhow::bail!("interrupted; what was measured is in {}", out.display());

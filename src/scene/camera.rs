@@ -23,6 +23,17 @@ pub fn radians(degrees: f64) -> f32 {
     degrees.to_radians() as f32
 }
 
+/// A direction with another length, the largest coordinate from 1 to 2: squares then neither overflow nor
+/// vanish. It is scaled by a power of two, so that no later step rounds otherwise.
+fn of_size_one(direction: Vec3) -> Vec3 {
+    let largest = f64::from(direction.abs().max_element());
+    if largest == 0.0 || !largest.is_finite() {
+        return direction;
+    }
+    let scale = 2f64.powi(-largest.log2().floor() as i32);
+    (direction.as_dvec3() * scale).as_vec3()
+}
+
 /// Why there is no picture from a camera.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum CameraError {
@@ -74,8 +85,8 @@ impl View {
     /// World space to clip space. The row that makes z is exactly (0, 0, 0, `near`): the matrix is
     /// composed of rows instead of multiplied, and nothing is rounded there.
     pub fn view_projection(&self, aspect: f32) -> Mat4 {
-        let backward = (self.eye - self.target).normalize();
-        let right = self.up.cross(backward).normalize();
+        let backward = of_size_one(self.eye - self.target).normalize();
+        let right = of_size_one(self.up).cross(backward).normalize();
         let up = backward.cross(right);
         let view_rows = [right, up, backward].map(|axis| axis.extend(-axis.dot(self.eye)));
         let rows = self.clip_rows(aspect, view_rows);
@@ -114,10 +125,10 @@ impl View {
         if near <= 0.0 {
             return Err(CameraError::Near);
         }
-        let forward = (target - eye)
+        let forward = of_size_one(target - eye)
             .try_normalize()
             .ok_or(CameraError::NoDirection)?;
-        let up = up.try_normalize().ok_or(CameraError::NoUp)?;
+        let up = of_size_one(up).try_normalize().ok_or(CameraError::NoUp)?;
         // Closer than this, rounding decides where right is.
         const SMALLEST_SINE: f32 = 1e-4;
         if forward.cross(up).length() < SMALLEST_SINE {

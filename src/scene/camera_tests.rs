@@ -221,3 +221,26 @@ proptest! {
         prop_assert!((-1.0..=4.0).contains(&eye.x) && (eye.z - 5.0).abs() < 1e-5);
     }
 }
+
+#[test]
+fn the_lengths_of_up_and_of_the_line_of_sight_do_not_matter() {
+    let view = |up: f32, sight: f32| View {
+        eye: Vec3::ZERO,
+        target: Vec3::new(-3.0, 1.0, -2.0) * sight,
+        up: Vec3::new(0.1, 1.0, 0.2) * up,
+        fov_y_rad: 1.0,
+        near: 0.1,
+    };
+    let expected = view(1.0, 1.0).view_projection(1.5);
+    for scale in [
+        2f32.powi(-120),
+        2f32.powi(-70),
+        2f32.powi(60),
+        2f32.powi(120),
+    ] {
+        for view in [view(scale, 1.0), view(1.0, scale), view(scale, scale)] {
+            assert_eq!(view.validate(), Ok(()), "{scale}");
+            assert_eq!(view.view_projection(1.5), expected, "{scale}");
+        }
+    }
+}
