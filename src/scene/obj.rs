@@ -3,6 +3,7 @@
 //! Only what makes triangles is read: vertices, faces, objects and groups. A wild normal or texture index is
 //! no error, for it does not matter here.
 
+use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 use std::{fs, io};
 
@@ -11,7 +12,7 @@ use serde::{Deserialize, Serialize};
 
 use super::mesh::{MAX_TRIANGLES, Mesh};
 pub use super::obj_problem::ObjProblem;
-use super::obj_reader::{Object, Polygon, Reader};
+use super::obj_reader::{ObjText, Object, Polygon, Reader};
 use super::obj_text;
 use super::part::Part;
 use super::polygon::{self, Shape};
@@ -115,34 +116,52 @@ pub fn load(path: &Path, up: Up) -> Result<Model, ObjError> {
         let path = path.to_owned();
         return Err(ObjError::OtherKind { path, what, advice });
     }
-    let objects = match obj_text::damage(&bytes) {
+    let text = match obj_text::damage(&bytes) {
         Some(damage) => Err(damage),
         // In a file that is otherwise valid, only names can be in another encoding.
         None => Reader::read(&String::from_utf8_lossy(&bytes), up),
     };
     drop(bytes);
-    let objects = objects.map_err(|(line, problem)| ObjError::Line {
+    let text = text.map_err(|(line, problem)| ObjError::Line {
         path: path.to_owned(),
         line,
         problem,
     })?;
-    let (parts, shapes): (Vec<Part>, Vec<Shapes>) = objects.par_iter().map(Object::part).unzip();
+    let (parts, shapes): (Vec<Part>, Vec<Shapes>) =
+        text.objects.par_iter().map(Object::part).unzip();
     match parts.iter().map(|part| part.triangles.len()).sum() {
         0 => Err(ObjError::NoFaces {
             path: path.to_owned(),
         }),
-        1..=MAX_TRIANGLES => Ok(Model {
-            mesh: parts.into_iter().collect(),
-            notes: shapes
-                .into_iter()
-                .fold(Shapes::default(), Shapes::and)
-                .notes(path),
-        }),
+        1..=MAX_TRIANGLES => {
+            let shapes = shapes.into_iter().fold(Shapes::default(), Shapes::and);
+            let mut notes = shapes.notes(path);
+            notes.extend(unread_note(path, &text));
+            Ok(Model {
+                mesh: parts.into_iter().collect(),
+                notes,
+            })
+        }
         triangles => Err(ObjError::TooLarge {
             path: path.to_owned(),
             triangles,
         }),
     }
+}
+
+/// What to say of statements that are not read.
+fn unread_note(path: &Path, text: &ObjText) -> Option<String> {
+    let (line, keyword) = text.first_unread.as_ref()?;
+    Some(format!(
+        "{}: {} statements for curved surfaces or other files are not read, the first of them `{keyword}` in line \
+         {line}; export polygons",
+        file_name(path),
+        text.unread,
+    ))
+}
+
+fn file_name(path: &Path) -> Cow<'_, str> {
+    path.file_name().unwrap_or_default().to_string_lossy()
 }
 
 fn read(path: &Path) -> Result<Vec<u8>, ObjError> {
@@ -228,26 +247,26 @@ impl Shapes {
     }
 
     fn notes(&self, path: &Path) -> Vec<String> {
-        let file = path.file_name().unwrap_or_default().to_string_lossy();
-        let of = |count: usize| {
-            let (polygons, are) = (self.polygons, if count == 1 { "is" } else { "are" });
-            format!("{file}: {count} of {polygons} polygons of more than three corners {are}")
+        let file = file_name(path);
+        let some = |count: usize, one: &str, many: &str| {
+            let (all, verb) = (self.polygons, if count == 1 { one } else { many });
+            format!("{file}: {count} of {all} polygons of more than three corners {verb}")
         };
         let mut notes = Vec::new();
         if self.bent > 0 {
             let (by, line) = self.most_bent;
             notes.push(format!(
-                "{} not flat, most so the one in line {line}, by {:.1} % of its size; where such a polygon is \
-                 cut into triangles decides its shape: export triangles to decide it yourself",
-                of(self.bent),
+                "{} not flat, the worst by {:.1} % of its size (line {line}): how it is cut into \
+                 triangles decides its shape; export triangles to decide that yourself",
+                some(self.bent, "is", "are"),
                 100.0 * by,
             ));
         }
         if self.crossing > 0 {
             notes.push(format!(
-                "{} crossing themselves, the first in line {}, and have no inside; they are drawn as fans of \
-                 triangles: repair them, or export triangles",
-                of(self.crossing),
+                "{} (the first in line {}): without an inside, each is drawn as a fan of triangles; \
+                 repair them, or export triangles",
+                some(self.crossing, "crosses itself", "cross themselves"),
                 self.first_crossing,
             ));
         }

@@ -17,6 +17,20 @@ pub(super) struct Object {
     pub(super) polygons: Vec<Polygon>,
 }
 
+/// All that is read of a file.
+#[derive(Default)]
+pub(super) struct ObjText {
+    /// Those with faces, in order.
+    pub(super) objects: Vec<Object>,
+    /// How many statements are not read that make shapes.
+    pub(super) unread: usize,
+    /// The first of them, and its line.
+    pub(super) first_unread: Option<(usize, String)>,
+}
+
+/// Statements that are not read though they make shapes: curved surfaces, and other files.
+const UNREAD: &[&str] = &["surf", "bzp", "bsp", "cdp", "call", "csh"];
+
 /// Some corners of an [`Object`].
 pub(super) struct Polygon {
     /// How many, at least three.
@@ -38,7 +52,7 @@ pub(super) struct Reader {
     /// Corners of the object under way that name a vertex which did not come yet: where they are in its
     /// corners, the vertex, and what is wrong if it does not come before the next object.
     ahead: Vec<(usize, usize, AtLine)>,
-    objects: Vec<Object>,
+    text: ObjText,
 }
 
 const UNUSED: u32 = u32::MAX;
@@ -47,8 +61,8 @@ const UNUSED: u32 = u32::MAX;
 const UNNAMED: &str = "unnamed_object";
 
 impl Reader {
-    /// The objects of a text, in order; those without faces are left out.
-    pub(super) fn read(text: &str, up: Up) -> Result<Vec<Object>, AtLine> {
+    /// What a text holds.
+    pub(super) fn read(text: &str, up: Up) -> Result<ObjText, AtLine> {
         let mut reader = Self {
             up,
             vertices: Vec::new(),
@@ -56,7 +70,7 @@ impl Reader {
             object: Object::default(),
             used: Vec::new(),
             ahead: Vec::new(),
-            objects: Vec::new(),
+            text: ObjText::default(),
         };
         let mut too_early = None;
         for statement in obj_text::statements(text) {
@@ -68,12 +82,17 @@ impl Reader {
                     too_early = too_early.or(reader.end_object().err());
                     reader.object.name = statement.rest.to_owned();
                 }
+                keyword if UNREAD.contains(&keyword) => {
+                    let first = (statement.line, keyword.to_owned());
+                    reader.text.unread += 1;
+                    reader.text.first_unread.get_or_insert(first);
+                }
                 _ => {}
             }
         }
         match too_early.or(reader.end_object().err()) {
             Some(problem) => Err(problem),
-            None => Ok(reader.objects),
+            None => Ok(reader.text),
         }
     }
 
@@ -162,7 +181,7 @@ impl Reader {
             object.name = UNNAMED.to_owned();
         }
         if !object.polygons.is_empty() {
-            self.objects.push(object);
+            self.text.objects.push(object);
         }
         Ok(())
     }

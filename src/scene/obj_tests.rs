@@ -423,6 +423,18 @@ fn bent_and_crossing_polygons_are_noted() {
     );
 }
 
+#[test]
+fn shapes_that_are_not_read_are_noted() {
+    let text = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\ncstype bezier\nsurf 0 1 0 1 1 2 \\\n3\nend\ncall other.obj\n";
+    let notes = load_model(text, Up::Y).unwrap().notes;
+    assert_eq!(notes.len(), 1);
+    assert!(
+        notes[0].contains("2 statements") && notes[0].contains("`surf` in line 6"),
+        "{}",
+        notes[0]
+    );
+}
+
 proptest! {
     #[test]
     fn no_bytes_make_it_panic(bytes in prop::collection::vec(any::<u8>(), 0..300)) {
