@@ -277,3 +277,7 @@ impl Shapes {
 #[cfg(test)]
 #[path = "obj_tests.rs"]
 mod tests;
+
+#[cfg(test)]
+#[path = "obj_text_tests.rs"]
+mod text_tests;

@@ -201,7 +201,7 @@ fn a_bent_quad_has_one_shape_however_it_is_told() {
 fn a_polygon_of_a_hundred_thousand_corners_takes_no_time() {
     let circle = |i: u32| {
         let (sin, cos) = (f64::from(i) / 1e5 * std::f64::consts::TAU).sin_cos();
-        let radius = if i % 2 == 0 { 1.0 } else { 0.9 };
+        let radius = if i.is_multiple_of(2) { 1.0 } else { 0.9 };
         Vec3::new((radius * cos) as f32, (radius * sin) as f32, 0.0)
     };
     let start = std::time::Instant::now();
