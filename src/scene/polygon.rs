@@ -223,8 +223,10 @@ fn inside(points: &[Vec3], projected: &[Point2<f64>]) -> Option<Vec<[usize; 3]>>
     let mut delaunay = ConstrainedDelaunayTriangulation::<Point2<f64>>::new();
     let mut corner_of = Vec::with_capacity(count);
     let mut vertices = Vec::with_capacity(count);
-    for (corner, place) in projected.iter().enumerate() {
-        let vertex = delaunay.insert(*place).ok()?;
+    // As long as all are on one line, each takes time by all before: so first three that are not.
+    let wide = wide_triangle(projected);
+    for corner in wide.into_iter().chain(0..count) {
+        let vertex = delaunay.insert(projected[corner]).ok()?;
         match corner_of.get(vertex.index()) {
             None => corner_of.push(corner),
             // Two places become one: not what the polygon is.
@@ -234,6 +236,7 @@ fn inside(points: &[Vec3], projected: &[Point2<f64>]) -> Option<Vec<[usize; 3]>>
         }
         vertices.push(vertex);
     }
+    vertices.drain(..wide.len());
     // How often the polygon runs along an edge from its smaller vertex to its larger one, less how often
     // the other way.
     let mut runs: HashMap<[usize; 2], i32> = HashMap::with_capacity(count);
@@ -264,6 +267,22 @@ fn inside(points: &[Vec3], projected: &[Point2<f64>]) -> Option<Vec<[usize; 3]>>
     }
     triangles.resize(triangles.len().max(count - 2), [0; 3]);
     Some(triangles)
+}
+
+/// The first corner, the one farthest from it, and the one farthest from the line through both.
+fn wide_triangle(projected: &[Point2<f64>]) -> [usize; 3] {
+    let from_first = |corner: usize| {
+        let [p, first] = [projected[corner], projected[0]];
+        [p.x - first.x, p.y - first.y]
+    };
+    let most = |size: &dyn Fn([f64; 2]) -> f64| {
+        let sizes = (0..projected.len()).map(|corner| size(from_first(corner)));
+        let largest = sizes.enumerate().max_by(|a, b| a.1.total_cmp(&b.1));
+        largest.map_or(0, |(corner, _)| corner)
+    };
+    let farthest = most(&|[x, y]| x * x + y * y);
+    let [u, v] = from_first(farthest);
+    [0, farthest, most(&|[x, y]| (u * y - v * x).abs())]
 }
 
 /// How often the polygon runs around each face, counter-clockwise.
