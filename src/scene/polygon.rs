@@ -220,14 +220,13 @@ fn quad(points: &[Vec3], projected: &[Point2<f64>]) -> Option<Vec<[usize; 3]>> {
 /// missing. `None` if the polygon crosses itself.
 fn inside(points: &[Vec3], projected: &[Point2<f64>]) -> Option<Vec<[usize; 3]>> {
     let count = points.len();
-    let mut delaunay = ConstrainedDelaunayTriangulation::<Point2<f64>>::new();
+    let mut vertex_at = HashMap::with_capacity(count);
     let mut corner_of = Vec::with_capacity(count);
     let mut vertices = Vec::with_capacity(count);
-    // As long as all are on one line, each takes time by all before: so first three that are not.
-    let wide = wide_triangle(projected);
-    for corner in wide.into_iter().chain(0..count) {
-        let vertex = delaunay.insert(projected[corner]).ok()?;
-        match corner_of.get(vertex.index()) {
+    for (corner, place) in projected.iter().enumerate() {
+        let bits = [place.x, place.y].map(f64::to_bits);
+        let vertex = *vertex_at.entry(bits).or_insert(corner_of.len());
+        match corner_of.get(vertex) {
             None => corner_of.push(corner),
             // Two places become one: not what the polygon is.
             Some(&other) if points[other] != points[corner] => return None,
@@ -236,7 +235,11 @@ fn inside(points: &[Vec3], projected: &[Point2<f64>]) -> Option<Vec<[usize; 3]>>
         }
         vertices.push(vertex);
     }
-    vertices.drain(..wide.len());
+    let places = corner_of.iter().map(|corner| projected[*corner]).collect();
+    // All at once: one by one, corners on a line take time by all before.
+    let mut delaunay =
+        ConstrainedDelaunayTriangulation::<Point2<f64>>::bulk_load_cdt(places, Vec::new()).ok()?;
+    let handles: Vec<_> = delaunay.fixed_vertices().collect();
     // How often the polygon runs along an edge from its smaller vertex to its larger one, less how often
     // the other way.
     let mut runs: HashMap<[usize; 2], i32> = HashMap::with_capacity(count);
@@ -245,7 +248,7 @@ fn inside(points: &[Vec3], projected: &[Point2<f64>]) -> Option<Vec<[usize; 3]>>
         if from == to {
             continue;
         }
-        let edges = delaunay.try_add_constraint(from, to);
+        let edges = delaunay.try_add_constraint(handles[from], handles[to]);
         if edges.is_empty() {
             return None;
         }
@@ -267,22 +270,6 @@ fn inside(points: &[Vec3], projected: &[Point2<f64>]) -> Option<Vec<[usize; 3]>>
     }
     triangles.resize(triangles.len().max(count - 2), [0; 3]);
     Some(triangles)
-}
-
-/// The first corner, the one farthest from it, and the one farthest from the line through both.
-fn wide_triangle(projected: &[Point2<f64>]) -> [usize; 3] {
-    let from_first = |corner: usize| {
-        let [p, first] = [projected[corner], projected[0]];
-        [p.x - first.x, p.y - first.y]
-    };
-    let most = |size: &dyn Fn([f64; 2]) -> f64| {
-        let sizes = (0..projected.len()).map(|corner| size(from_first(corner)));
-        let largest = sizes.enumerate().max_by(|a, b| a.1.total_cmp(&b.1));
-        largest.map_or(0, |(corner, _)| corner)
-    };
-    let farthest = most(&|[x, y]| x * x + y * y);
-    let [u, v] = from_first(farthest);
-    [0, farthest, most(&|[x, y]| (u * y - v * x).abs())]
 }
 
 /// How often the polygon runs around each face, counter-clockwise.
