@@ -358,8 +358,11 @@ fn a_broken_model_fails_with_its_line() {
         ("short.obj", b"v 0 0 0\nv 1 0 0\n\nf 1 2\n", &["short.obj:4:", "at least three corners"]),
         ("nan.obj", b"v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n", &["nan.obj:2:", "finite"]),
         ("inf.obj", b"v 0 0 0\nv 1 0 0\nv 0 -inf 0\nf 1 2 3\n", &["inf.obj:3:", "finite"]),
+        ("ind.obj", b"v 0 0 0\nv 1 0 0\nv 0 0 1.#IND\nf 1 2 3\n", &["ind.obj:3:", "finite"]),
+        ("zip.obj", b"\x1f\x8b\x08\0", &["zip.obj: is a gzip archive", "unpack it"]),
+        ("mac.obj", b"v 0 0 0\rf 1 1 1\r", &["mac.obj:1:", "carriage return"]),
         ("word.obj", b"v 0 0 0\nv 1 x 0\nv 0 1 0\nf 1 2 3\n", &["word.obj:2:", "`x` is not a num"]),
-        ("bytes.obj", b"\xff\xfe\x00\x01\x80\n\x00\nv\xf0", &["bytes.obj: has no faces"]),
+        ("bytes.obj", b"\xff\xfe\x00\x01\x80\n\x00\nv\xf0", &["bytes.obj: is UTF-16 text", "save it as UTF-8"]),
     ];
     for (file, contents, parts) in table {
         room.write(file, contents);

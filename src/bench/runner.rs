@@ -35,6 +35,8 @@ pub struct RunOutcome {
     pub status: RunStatus,
     /// A row a cell.
     pub summaries: Vec<Summary>,
+    /// What to know before trusting a number, as in `run.json`.
+    pub warnings: Vec<String>,
 }
 
 impl RunOutcome {
@@ -73,6 +75,7 @@ pub fn run(request: &RunRequest<'_>) -> anyhow::Result<RunOutcome> {
     Ok(RunOutcome {
         status: info.status,
         summaries,
+        warnings: info.warnings,
     })
 }
 

@@ -239,7 +239,9 @@ impl<'a> SceneRun<'a> {
 
     fn outcome(self) -> SceneOutcome {
         let verified = self.request.plan.verified_frames() > 0;
-        let mut warnings = self.warnings;
+        let notes = self.scene.notes.iter();
+        let notes = notes.map(|note| format!("{}: {note}", self.scene.name));
+        let mut warnings: Vec<_> = notes.chain(self.warnings).collect();
         for run in &self.cells {
             for text in &run.warnings {
                 let warning = format!("{}, {}: {text}", self.scene.name, run.cell.method);

@@ -181,16 +181,22 @@ fn scenes(args: &MetamorphicArgs) -> anyhow::Result<Vec<Scene>> {
         let plan = find_scene(name, Path::new(""))?;
         Ok::<_, ConfigError>(plan.file.load(&plan.search))
     };
-    if !args.scenes.is_empty() {
-        return args.scenes.iter().map(|name| Ok(load(name)??)).collect();
-    }
     let mut scenes = Vec::new();
-    for name in SCENES {
-        match load(Path::new(name))? {
-            Err(error @ SceneError::MissingModel { .. }) => {
-                console::print(&format!("{name} is left out: {error}\n"));
+    let (names, may_be_missing) = match args.scenes.is_empty() {
+        true => (SCENES.map(PathBuf::from).to_vec(), true),
+        false => (args.scenes.clone(), false),
+    };
+    for name in names {
+        match load(&name)? {
+            Err(error @ SceneError::MissingModel { .. }) if may_be_missing => {
+                console::print(&format!("{} is left out: {error}\n", name.display()));
             }
             scene => scenes.push(scene?),
+        }
+    }
+    for scene in &scenes {
+        for note in &scene.notes {
+            console::print(&format!("note: {note}\n"));
         }
     }
     Ok(scenes)

@@ -81,6 +81,9 @@ pub(super) fn execute(args: &MinimiseArgs) -> anyhow::Result<()> {
     let minimised = search(&scene, &studio, &methods, args, &watch);
     progress.finish();
     let minimised = minimised?;
+    for note in &scene.notes {
+        console::print(&format!("note: {note}\n"));
+    }
 
     let (left, all) = (&minimised.scene.mesh, &scene.mesh);
     let mut text = format!(

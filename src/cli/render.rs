@@ -138,7 +138,7 @@ pub(super) fn execute(args: &RenderArgs) -> anyhow::Result<()> {
         record_ms: times.record_ms,
         draw_calls: times.draw_calls,
         stages_ms: stages(&times),
-        warnings: prepared.warnings(),
+        warnings: [scene.notes.clone(), prepared.warnings()].concat(),
     };
     if args.json {
         console::print(&(serde_json::to_string_pretty(&output)? + "\n"));

@@ -68,7 +68,11 @@ pub(super) fn execute(args: &RunArgs, accuracy: Option<u32>) -> anyhow::Result<(
     let outcome = outcome?;
     let page = crate::report::write_all(&out, &error_map_legend())?;
     let table = std::fs::read_to_string(out.join(crate::report::TABLE_FILE))?;
-    console::print(&format!("{table}\nreport: {}\n", page.display()));
+    console::print(&format!("{table}\n"));
+    for warning in &outcome.warnings {
+        console::print(&format!("note: {warning}\n"));
+    }
+    console::print(&format!("report: {}\n", page.display()));
     args.device.check_validation()?;
     if outcome.status == RunStatus::Interrupted {
         anyhow::bail!("interrupted; what was measured is in {}", out.display());

@@ -1,6 +1,8 @@
 //! Values on the command line.
 
-use glam::{Vec3, Vec4};
+use crate::scene::light;
+use glam::{DVec3, Vec3, Vec4};
+use std::str::FromStr;
 
 /// `640x480`.
 pub(super) fn size(text: &str) -> Result<(u32, u32), String> {
@@ -16,7 +18,7 @@ pub(super) fn size(text: &str) -> Result<(u32, u32), String> {
 
 /// `1.5,2,-3`.
 pub(super) fn vec3(text: &str) -> Result<Vec3, String> {
-    let numbers = numbers(text)?;
+    let numbers = numbers::<f32>(text)?;
     <[f32; 3]>::try_from(numbers)
         .map(Vec3::from)
         .map_err(|_| format!("`{text}` is not three numbers X,Y,Z"))
@@ -24,24 +26,17 @@ pub(super) fn vec3(text: &str) -> Result<Vec3, String> {
 
 /// `1.5,2,-3`, a point, or `1,2,3,0`, a direction.
 pub(super) fn light(text: &str) -> Result<Vec4, String> {
-    let light = match numbers(text)?[..] {
-        [x, y, z] => Vec4::new(x, y, z, 1.0),
-        [x, y, z, w] => Vec4::new(x, y, z, w),
+    let (xyz, w) = match numbers(text)?[..] {
+        [x, y, z] => (DVec3::new(x, y, z), 1.0),
+        [x, y, z, w] => (DVec3::new(x, y, z), w),
         _ => return Err(format!("`{text}` is not X,Y,Z or X,Y,Z,W")),
     };
-    match light.w {
-        1.0 => Ok(light),
-        0.0 if light.truncate() != Vec3::ZERO => Ok(light),
-        0.0 => Err("the direction towards the light has length 0".to_owned()),
-        w => Err(format!(
-            "w is {w}; it must be 1 (a point) or 0 (a direction)"
-        )),
-    }
+    light::light(xyz, w).map_err(|error| error.to_string())
 }
 
-fn numbers(text: &str) -> Result<Vec<f32>, String> {
-    let number = |part: &str| match part.trim().parse::<f32>() {
-        Ok(value) if value.is_finite() => Ok(value),
+fn numbers<N: FromStr + Into<f64> + Copy>(text: &str) -> Result<Vec<N>, String> {
+    let number = |part: &str| match part.trim().parse::<N>() {
+        Ok(value) if value.into().is_finite() => Ok(value),
         _ => Err(format!("`{part}` is not a finite number")),
     };
     text.split(',').map(number).collect()
@@ -63,7 +58,9 @@ mod tests {
     fn vectors_and_lights() {
         assert_eq!(vec3("1,-2.5,3e2"), Ok(Vec3::new(1.0, -2.5, 300.0)));
         assert_eq!(light("1,2,3"), Ok(Vec4::new(1.0, 2.0, 3.0, 1.0)));
-        assert_eq!(light("1,2,3,0"), Ok(Vec4::new(1.0, 2.0, 3.0, 0.0)));
+        for direction in ["1,2,4,0", "1e-300,2e-300,4e-300,0", "2.5e299,5e299,1e300,0"] {
+            assert_eq!(light(direction), Ok(Vec4::new(0.25, 0.5, 1.0, 0.0)));
+        }
         for wrong in [
             "",
             "1,2",

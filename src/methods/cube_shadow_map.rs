@@ -66,7 +66,7 @@ impl MapKind for SixViews {
     ) -> Result<Box<dyn PreparedMethod>, MethodError> {
         let light = context.scene.light;
         if light.w == 0.0 {
-            let reason = "needs a light at a point; this one is at infinity";
+            let reason = "needs a light at a point; this one is at infinity, or too far away to tell from it";
             return Err(MethodError::Unavailable(reason.to_owned()));
         }
         let cube = PreparedCube::new(context, map, light.truncate())?;

@@ -1,13 +1,13 @@
 //! Which triangles are worth asking: a bounding volume hierarchy that is only ever conservative.
 
+mod build;
+
 use glam::{DVec3, Vec3, Vec3A};
 use obvhs::aabb::Aabb;
 use obvhs::bvh2::Bvh2;
-use obvhs::bvh2::builder::build_bvh2;
 use obvhs::bvh2::node::Bvh2Node;
+use obvhs::fast_stack;
 use obvhs::ray::{Ray, RayHit};
-use obvhs::{BvhBuildParams, fast_stack};
-use std::time::Duration;
 
 /// How far boxes are inflated, relative to the largest absolute coordinate M of the scene.
 ///
@@ -69,17 +69,7 @@ impl Tree {
                 Aabb::new(bounds.min - margin, bounds.max + margin)
             })
             .collect();
-        let mut bvh = build_bvh2(
-            &boxes,
-            BvhBuildParams::medium_build(),
-            &mut Duration::default(),
-        );
-        // The builder's own figure is from before it moved nodes about.
-        bvh.max_depth = if bvh.nodes.is_empty() {
-            1
-        } else {
-            bvh.depth(0)
-        };
+        let bvh = build::build(&boxes);
         let mut slots = vec![0; primitives.len()];
         for (slot, &index) in bvh.primitive_indices.iter().enumerate() {
             slots[index as usize] = slot as u32;

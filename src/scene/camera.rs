@@ -23,9 +23,15 @@ pub fn radians(degrees: f64) -> f32 {
     degrees.to_radians() as f32
 }
 
-/// A direction with length 1, whatever its length was.
-fn unit(direction: Vec3) -> Vec3 {
-    direction.as_dvec3().normalize().as_vec3()
+/// A direction with another length, the largest coordinate from 1 to 2: squares then neither overflow nor
+/// vanish. It is scaled by a power of two, so that no later step rounds otherwise.
+fn of_size_one(direction: Vec3) -> Vec3 {
+    let largest = f64::from(direction.abs().max_element());
+    if largest == 0.0 || !largest.is_finite() {
+        return direction;
+    }
+    let scale = 2f64.powi(-largest.log2().floor() as i32);
+    (direction.as_dvec3() * scale).as_vec3()
 }
 
 /// Why there is no picture from a camera.
@@ -92,8 +98,8 @@ impl View {
     /// World space to clip space. The row that makes z is exactly (0, 0, 0, `near`): the matrix is
     /// composed of rows instead of multiplied, and nothing is rounded there.
     pub fn view_projection(&self, aspect: f32) -> Mat4 {
-        let backward = (self.eye - self.target).normalize();
-        let right = unit(self.up).cross(backward).normalize();
+        let backward = of_size_one(self.eye - self.target).normalize();
+        let right = of_size_one(self.up).cross(backward).normalize();
         let up = backward.cross(right);
         let view_rows = [right, up, backward].map(|axis| axis.extend(-axis.dot(self.eye)));
         let rows = self.clip_rows(aspect, view_rows);
@@ -135,13 +141,10 @@ impl View {
         if target == eye {
             return Err(CameraError::NoDirection);
         }
-        let forward = (target - eye)
+        let forward = of_size_one(target - eye)
             .try_normalize()
             .ok_or(CameraError::TooExtreme)?;
-        if up == Vec3::ZERO {
-            return Err(CameraError::NoUp);
-        }
-        let up = unit(up);
+        let up = of_size_one(up).try_normalize().ok_or(CameraError::NoUp)?;
         // Closer than this, rounding decides where right is.
         const SMALLEST_SINE: f32 = 1e-4;
         if forward.cross(up).length() < SMALLEST_SINE {

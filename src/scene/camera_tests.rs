@@ -232,12 +232,6 @@ fn numbers_that_overflow_make_no_picture() {
         target: Vec3::X * -3e38,
         ..view
     });
-    // So near that the square of the distance is 0.
-    extreme(View {
-        eye: Vec3::X * 1e-30,
-        target: Vec3::Z * 1e-30,
-        ..view
-    });
     extreme(View {
         fov_y_rad: 1e-42,
         ..view
@@ -247,27 +241,6 @@ fn numbers_that_overflow_make_no_picture() {
         target: Vec3::new(2e38, 0.0, 0.0),
         ..view
     });
-}
-
-#[test]
-fn the_length_of_up_does_not_matter() {
-    let view = view();
-    for length in [1e-40, 1e-20, 0.5, 1e20, 3e38] {
-        let same = View {
-            up: Vec3::Y * length,
-            ..view
-        };
-        assert_eq!(same.validate(), Ok(()), "{length}");
-        let up_one = View {
-            up: Vec3::Y,
-            ..view
-        };
-        assert_eq!(
-            same.view_projection(1.5),
-            up_one.view_projection(1.5),
-            "{length}"
-        );
-    }
 }
 
 #[test]
@@ -291,4 +264,27 @@ fn the_first_time_without_a_picture_is_named() {
         (error.time_s, error.problem),
         (1.0, CameraError::NoDirection)
     );
+}
+
+#[test]
+fn the_lengths_of_up_and_of_the_line_of_sight_do_not_matter() {
+    let view = |up: f32, sight: f32| View {
+        eye: Vec3::ZERO,
+        target: Vec3::new(-3.0, 1.0, -2.0) * sight,
+        up: Vec3::new(0.1, 1.0, 0.2) * up,
+        fov_y_rad: 1.0,
+        near: 0.1,
+    };
+    let expected = view(1.0, 1.0).view_projection(1.5);
+    for scale in [
+        2f32.powi(-120),
+        2f32.powi(-70),
+        2f32.powi(60),
+        2f32.powi(120),
+    ] {
+        for view in [view(scale, 1.0), view(1.0, scale), view(scale, scale)] {
+            assert_eq!(view.validate(), Ok(()), "{scale}");
+            assert_eq!(view.view_projection(1.5), expected, "{scale}");
+        }
+    }
 }

@@ -103,13 +103,12 @@ fn obj_text(mesh: &Mesh, names: &[String]) -> String {
 
 fn scene_text(scene: &Scene, mesh: &Mesh, names: &[String], stem: &str) -> String {
     let quoted = |text: &str| toml::Value::from(text).to_string();
-    let mut receivers: Vec<&str> = Vec::new();
-    for (object, name) in mesh.objects.iter().zip(names) {
-        if !object.casts_shadow && !receivers.contains(&name.as_str()) {
-            receivers.push(name);
-        }
-    }
-    let receivers: Vec<_> = receivers.into_iter().map(quoted).collect();
+    let mut known = HashSet::new();
+    let objects = mesh.objects.iter().zip(names);
+    let receivers: Vec<_> = objects
+        .filter(|(object, name)| !object.casts_shadow && known.insert(name.as_str()))
+        .map(|(_, name)| quoted(name))
+        .collect();
     format!(
         "title = {}\n\n\
          [mesh]\nkind = \"obj\"\nfile = {}\nup = \"y\"\nreceivers = [{}]\n\n\

@@ -1,5 +1,6 @@
 //! Scene files: TOML that names a mesh, a light and a camera path.
 
+use std::collections::HashSet;
 use std::fs;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
@@ -11,7 +12,7 @@ use super::Scene;
 use super::camera::CameraPath;
 use super::mesh::Mesh;
 use super::model_search::ModelSearch;
-use super::obj::{self, Up};
+use super::obj::{self, Model, Up};
 use super::scene_error::SceneError;
 use super::sphere_grid::SphereGrid;
 use super::wire::{FileWire, Misplaced};
@@ -137,7 +138,7 @@ impl SceneFile {
 
     /// Loads the mesh and compares it with what the file expects.
     pub fn load(&self, search: &ModelSearch) -> Result<Scene, SceneError> {
-        let mesh = self.load_mesh(search)?;
+        let Model { mesh, notes } = self.load_model(search)?;
         let triangles = mesh.caster_triangle_count() as u64;
         let objects = mesh.caster_object_count() as u64;
         if let Some(expect) = self.expect.filter(|e| *e != Expect { triangles, objects }) {
@@ -150,22 +151,25 @@ impl SceneFile {
             });
         }
         let (name, title) = (self.name.clone(), self.title.clone());
-        Ok(Scene::new(
-            name,
-            title,
-            mesh,
-            self.light,
-            self.camera.clone(),
-        ))
+        Ok(Scene {
+            notes,
+            ..Scene::new(name, title, mesh, self.light, self.camera.clone())
+        })
     }
 
-    fn load_mesh(&self, search: &ModelSearch) -> Result<Mesh, SceneError> {
+    fn load_model(&self, search: &ModelSearch) -> Result<Model, SceneError> {
         let scene = || self.name.clone();
         match &self.mesh {
-            MeshSource::SphereGrid(grid) => grid.mesh().map_err(|source| SceneError::SphereGrid {
-                scene: scene(),
-                source,
-            }),
+            MeshSource::SphereGrid(grid) => match grid.mesh() {
+                Ok(mesh) => Ok(Model {
+                    mesh,
+                    notes: Vec::new(),
+                }),
+                Err(source) => Err(SceneError::SphereGrid {
+                    scene: scene(),
+                    source,
+                }),
+            },
             MeshSource::Obj {
                 file,
                 up,
@@ -177,37 +181,34 @@ impl SceneFile {
                     searched: search.candidates(file),
                     origin: origin.clone(),
                 })?;
-                let mut mesh = obj::load(&path, *up).map_err(|source| SceneError::Model {
+                let mut model = obj::load(&path, *up).map_err(|source| SceneError::Model {
                     scene: scene(),
                     source,
                 })?;
-                for receiver in receivers {
-                    receiver.mark(&mut mesh)?;
-                }
-                Ok(mesh)
+                mark_receivers(receivers, &mut model.mesh)?;
+                Ok(model)
             }
         }
     }
 }
 
-impl Receiver {
-    /// Makes receivers of the objects of that name.
-    fn mark(&self, mesh: &mut Mesh) -> Result<(), SceneError> {
-        let Self { name, place } = self;
-        if !mesh.objects.iter().any(|object| object.name == *name) {
-            let names = mesh.objects.iter().map(|object| object.name.as_str());
-            return Err(SceneError::UnknownReceiver {
-                place: place.clone(),
-                name: name.clone(),
-                nearest: toml_error::nearest(name, names).map(str::to_owned),
-            });
-        }
-        let meant = mesh.objects.iter_mut();
-        for object in meant.filter(|object| object.name == *name) {
-            object.casts_shadow = false;
-        }
-        Ok(())
+/// Makes receivers of the objects of these names.
+fn mark_receivers(receivers: &[Receiver], mesh: &mut Mesh) -> Result<(), SceneError> {
+    let names = || mesh.objects.iter().map(|object| object.name.as_str());
+    let known: HashSet<&str> = names().collect();
+    let unknown = |receiver: &&Receiver| !known.contains(receiver.name.as_str());
+    if let Some(Receiver { name, place }) = receivers.iter().find(unknown) {
+        return Err(SceneError::UnknownReceiver {
+            place: place.clone(),
+            name: name.clone(),
+            nearest: toml_error::nearest(name, names()).map(str::to_owned),
+        });
     }
+    let meant: HashSet<&str> = receivers.iter().map(|r| r.name.as_str()).collect();
+    for object in &mut mesh.objects {
+        object.casts_shadow &= !meant.contains(object.name.as_str());
+    }
+    Ok(())
 }
 
 #[cfg(test)]

@@ -7,6 +7,11 @@ use glam::Vec3;
 /// As many triangles as a mesh may have: three half-edges each, counted in 32 bits.
 pub const MAX_TRIANGLES: usize = (u32::MAX / 3) as usize;
 
+/// The largest coordinate of a model. Which way a triangle faces a light is decided by a product of three lengths,
+/// and this one's own size may come twice, the light's distance once; a light farther than 2²⁴ times the
+/// scene's radius is a direction. So no product overflows 32 bits, in which case there would be no shadow.
+pub const LARGEST_COORDINATE: f32 = (1u64 << 32) as f32;
+
 /// All triangles of a scene, grouped in objects.
 ///
 /// Each object owns one range of vertices and one of triangles; no vertex is shared between

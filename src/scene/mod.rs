@@ -3,11 +3,15 @@
 pub mod camera;
 pub mod export;
 pub mod file;
+pub mod light;
 pub mod mesh;
 pub mod model_search;
 pub mod obj;
-mod obj_diagnosis;
+mod obj_problem;
+mod obj_reader;
+mod obj_text;
 pub mod part;
+mod polygon;
 pub mod scene_error;
 pub mod sphere_grid;
 mod weld;
@@ -20,9 +24,10 @@ use glam::{Vec3, Vec4};
 pub use camera::{CameraKey, CameraPath, View};
 pub use export::ExportError;
 pub use file::SceneFile;
+pub use light::LightError;
 pub use mesh::{Mesh, Object};
 pub use model_search::ModelSearch;
-pub use obj::{ObjError, Up};
+pub use obj::{Model, ObjError, Up};
 pub use part::Part;
 pub use scene_error::SceneError;
 pub use sphere_grid::{SphereGrid, SphereGridError};
@@ -36,37 +41,42 @@ pub struct Scene {
     pub title: String,
     /// Its triangles.
     pub mesh: Mesh,
-    /// The light, canonical: a position with w = 1, or with w = 0 the direction *towards* it.
+    /// The light, canonical: a position with w = 1, or with w = 0 the direction *towards* it, whose largest
+    /// coordinate is 1. One too far away to tell from a direction is one.
     pub light: Vec4,
     /// Where the pictures are taken from.
     pub camera: CameraPath,
     /// Hexadecimal BLAKE3 of the mesh: equal hashes mean equal work.
     pub mesh_hash: String,
+    /// What to know about the model before trusting a picture of it.
+    pub notes: Vec<String>,
 }
 
 impl Scene {
     /// Puts a scene together and hashes its mesh.
     pub fn new(name: String, title: String, mesh: Mesh, light: Vec4, camera: CameraPath) -> Self {
         let mesh_hash = mesh.hash();
+        let light = light::of_scene(light, &mesh);
         Self {
             name,
             title,
             mesh,
-            light: canonical_light(light),
+            light,
             camera,
             mesh_hash,
+            notes: Vec::new(),
         }
     }
 
     /// The same scene under another light.
     pub fn with_light(self, light: Vec4) -> Self {
-        let light = canonical_light(light);
+        let light = light::of_scene(light, &self.mesh);
         Self { light, ..self }
     }
 
     /// A bare model, seen whole and at an angle, lit from above.
     pub fn from_obj(path: &Path, up: Up) -> Result<Self, ObjError> {
-        let mesh = obj::load(path, up)?;
+        let Model { mesh, notes } = obj::load(path, up)?;
         let (low, high) = mesh.bounds();
         let camera = CameraPath::framing(low, high);
         // Well outside, and off every axis, so that no axis-aligned wall lies in a light plane.
@@ -77,16 +87,10 @@ impl Scene {
             .unwrap_or_default()
             .to_string_lossy()
             .into_owned();
-        Ok(Self::new(
-            name.clone(),
-            name,
-            mesh,
-            light.extend(1.0),
-            camera,
-        ))
+        let light = light.extend(1.0);
+        Ok(Self {
+            notes,
+            ..Self::new(name.clone(), name, mesh, light, camera)
+        })
     }
-}
-
-fn canonical_light(light: Vec4) -> Vec4 {
-    mesh::canonical(light.truncate()).extend(light.w)
 }

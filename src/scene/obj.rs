@@ -1,21 +1,21 @@
 //! Meshes from Wavefront OBJ files.
 //!
-//! The `tobj` crate does the parsing. It sees only the lines that make triangles: a polyline (`l`)
-//! would become a polygon, a change of material would cut an object in two, colours on some of the
-//! vertices and wild normal or texture indices would be errors, and none of that matters here.
-//! It names no lines in its errors; `obj_diagnosis` finds them once something is wrong.
+//! Only what makes triangles is read: vertices, faces, objects and groups. A wild normal or texture index is
+//! no error, for it does not matter here.
 
+use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 use std::{fs, io};
 
-use glam::Vec3;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use super::mesh::{MAX_TRIANGLES, Mesh};
-pub use super::obj_diagnosis::ObjProblem;
-use super::obj_diagnosis::diagnose;
+pub use super::obj_problem::ObjProblem;
+use super::obj_reader::{ObjText, Object, Polygon, Reader};
+use super::obj_text;
 use super::part::Part;
+use super::polygon::{self, Shape};
 
 /// Which axis of a model points up.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -87,56 +87,81 @@ pub enum ObjError {
         /// How many it has.
         triangles: usize,
     },
-    /// The parser refused the file and no line could be found at fault.
-    #[error("{}: not a usable OBJ file; export it again as plain polygons", path.display())]
-    Rejected {
+    /// It is a file of another kind.
+    #[error("{}: is {what}, no OBJ file; {advice}", path.display())]
+    OtherKind {
         /// The path asked for.
         path: PathBuf,
-        /// What the parser says.
-        source: tobj::LoadError,
+        /// What it is.
+        what: &'static str,
+        /// What to do about it.
+        advice: &'static str,
     },
 }
 
-/// Loads a model: polygons become triangle fans, each object or group an [`Part`], and the
-/// vertices of an object that are at the same place become one. Material files are not read.
-pub fn load(path: &Path, up: Up) -> Result<Mesh, ObjError> {
+/// A model as it was read.
+#[derive(Debug)]
+pub struct Model {
+    /// Its triangles.
+    pub mesh: Mesh,
+    /// What its reader should know: what of it could be read in more than one way.
+    pub notes: Vec<String>,
+}
+
+/// Loads a model: polygons become triangles, each object or group a [`Part`], and the vertices of an object
+/// that are at the same place become one. Material files are not read.
+pub fn load(path: &Path, up: Up) -> Result<Model, ObjError> {
     let bytes = read(path)?;
-    // In a file that is otherwise valid, only names can be in another encoding.
-    let text = String::from_utf8(bytes)
-        .unwrap_or_else(|error| String::from_utf8_lossy(error.as_bytes()).into_owned());
-    let lines = geometry_lines(&text);
-    drop(text);
-    let at_fault = |or_else: Option<tobj::LoadError>| match (diagnose(&lines), or_else) {
-        (Some((line, problem)), _) => ObjError::Line {
-            path: path.to_owned(),
-            line,
-            problem,
-        },
-        (None, Some(source)) => ObjError::Rejected {
-            path: path.to_owned(),
-            source,
-        },
-        (None, None) => ObjError::NoFaces {
-            path: path.to_owned(),
-        },
+    if let Some((what, advice)) = obj_text::other_kind(&bytes) {
+        let path = path.to_owned();
+        return Err(ObjError::OtherKind { path, what, advice });
+    }
+    let text = match obj_text::damage(&bytes) {
+        Some(damage) => Err(damage),
+        // In a file that is otherwise valid, only names can be in another encoding.
+        None => Reader::read(&String::from_utf8_lossy(&bytes), up),
     };
-
-    let options = tobj::LoadOptions::default();
-    let no_materials = |_: &Path| Ok(Default::default());
-    let (models, _) = tobj::load_obj_buf(&mut lines.as_bytes(), &options, no_materials)
-        .map_err(|error| at_fault(Some(error)))?;
-    let parts: Option<Vec<Part>> = models.par_iter().map(|model| part(model, up)).collect();
-    let parts = parts.ok_or_else(|| at_fault(Some(tobj::LoadError::InvalidPolygon)))?;
-
+    drop(bytes);
+    let text = text.map_err(|(line, problem)| ObjError::Line {
+        path: path.to_owned(),
+        line,
+        problem,
+    })?;
+    let (parts, shapes): (Vec<Part>, Vec<Shapes>) =
+        text.objects.par_iter().map(Object::part).unzip();
     match parts.iter().map(|part| part.triangles.len()).sum() {
-        0 => Err(at_fault(None)),
-        // The parser ends with an object that may be empty.
-        1..=MAX_TRIANGLES => Ok(parts.into_iter().collect()),
+        0 => Err(ObjError::NoFaces {
+            path: path.to_owned(),
+        }),
+        1..=MAX_TRIANGLES => {
+            let shapes = shapes.into_iter().fold(Shapes::default(), Shapes::and);
+            let mut notes = shapes.notes(path);
+            notes.extend(unread_note(path, &text));
+            Ok(Model {
+                mesh: parts.into_iter().collect(),
+                notes,
+            })
+        }
         triangles => Err(ObjError::TooLarge {
             path: path.to_owned(),
             triangles,
         }),
     }
+}
+
+/// What to say of statements that are not read.
+fn unread_note(path: &Path, text: &ObjText) -> Option<String> {
+    let (line, keyword) = text.first_unread.as_ref()?;
+    Some(format!(
+        "{}: {} statements for curved surfaces or other files are not read, the first of them `{keyword}` in line \
+         {line}; export polygons",
+        file_name(path),
+        text.unread,
+    ))
+}
+
+fn file_name(path: &Path) -> Cow<'_, str> {
+    path.file_name().unwrap_or_default().to_string_lossy()
 }
 
 fn read(path: &Path) -> Result<Vec<u8>, ObjError> {
@@ -161,69 +186,98 @@ fn read(path: &Path) -> Result<Vec<u8>, ObjError> {
     }
 }
 
-/// The file with all lines blank that make no triangles, so that lines keep their numbers.
-fn geometry_lines(text: &str) -> String {
-    let mut kept = String::with_capacity(text.len());
-    for line in text.trim_start_matches('\u{feff}').lines() {
-        push_geometry(line.trim(), &mut kept);
-        kept.push('\n');
-    }
-    kept
-}
-
-fn push_geometry(line: &str, kept: &mut String) {
-    let without_comment = || line.split('#').next().unwrap_or_default();
-    match line.split_whitespace().next() {
-        Some("o" | "g") => kept.push_str(line),
-        Some("f") => kept.push_str(without_comment()),
-        // Behind x, y, z may stand a weight, which counts, or a colour, which does not.
-        Some("v") if without_comment().split_whitespace().count() > 5 => {
-            for word in line.split_whitespace().take(4) {
-                kept.push_str(word);
-                kept.push(' ');
-            }
+impl Object {
+    fn part(&self) -> (Part, Shapes) {
+        let mut triangles = Vec::with_capacity(self.corners.len() - 2 * self.polygons.len());
+        let mut shapes = Shapes::default();
+        let mut rest = self.corners.as_slice();
+        for polygon in &self.polygons {
+            let (corners, after) = rest.split_at(polygon.corners);
+            rest = after;
+            let shape = polygon::triangulate(corners, &self.positions, &mut triangles);
+            shapes = shapes.and(Shapes::of(shape, polygon));
         }
-        Some("v") => kept.push_str(without_comment()),
-        _ => {}
+        (Part::new(&self.name, &self.positions, triangles), shapes)
     }
 }
 
-/// None if a face has fewer than three corners or a vertex is not finite.
-fn part(model: &tobj::Model, up: Up) -> Option<Part> {
-    let turned = |p: &[f32; 3]| match (up, *p) {
-        (Up::Y, [x, y, z]) => Vec3::new(x, y, z),
-        (Up::Z, [x, y, z]) => Vec3::new(x, z, -y),
-    };
-    let positions = model.mesh.positions.as_chunks().0;
-    let positions: Vec<Vec3> = positions.iter().map(turned).collect();
-    if !positions.iter().all(|p| p.is_finite()) {
-        return None;
-    }
-    let triangles = triangulated(&model.mesh.indices, &model.mesh.face_arities)?;
-    Some(Part::new(&model.name, &positions, triangles))
+/// What is to say of the polygons of a model.
+#[derive(Clone, Copy, Debug, Default)]
+struct Shapes {
+    /// Those of more than three corners.
+    polygons: usize,
+    bent: usize,
+    /// How much the one that is bent most is, and its line.
+    most_bent: (f64, usize),
+    crossing: usize,
+    /// The line of the first.
+    first_crossing: usize,
 }
 
-/// Fans around the first corner of each face; no arities mean triangles throughout.
-fn triangulated(corners: &[u32], arities: &[u32]) -> Option<Vec<[u32; 3]>> {
-    if arities.is_empty() {
-        return Some(corners.as_chunks().0.to_vec());
-    }
-    let mut triangles = Vec::with_capacity(corners.len());
-    let mut rest = corners;
-    for &arity in arities {
-        let (face, after) = rest.split_at_checked(arity as usize)?;
-        rest = after;
-        let [first, others @ ..] = face else {
-            return None;
+impl Shapes {
+    fn of(shape: Shape, polygon: &Polygon) -> Self {
+        let line = polygon.line;
+        let mut shapes = Self {
+            polygons: usize::from(polygon.corners > 3),
+            ..Self::default()
         };
-        if others.len() < 2 {
-            return None;
+        match shape {
+            Shape::Flat => {}
+            Shape::Bent(by) => (shapes.bent, shapes.most_bent) = (1, (by, line)),
+            Shape::Crossing => (shapes.crossing, shapes.first_crossing) = (1, line),
         }
-        triangles.extend(others.windows(2).map(|pair| [*first, pair[0], pair[1]]));
+        shapes
     }
-    Some(triangles)
+
+    /// Of objects in the order of the file.
+    fn and(self, next: Self) -> Self {
+        let more_bent = next.most_bent.0 > self.most_bent.0;
+        let first_crossing = [self.first_crossing, next.first_crossing];
+        Self {
+            polygons: self.polygons + next.polygons,
+            bent: self.bent + next.bent,
+            most_bent: if more_bent {
+                next.most_bent
+            } else {
+                self.most_bent
+            },
+            crossing: self.crossing + next.crossing,
+            first_crossing: first_crossing[usize::from(self.crossing == 0)],
+        }
+    }
+
+    fn notes(&self, path: &Path) -> Vec<String> {
+        let file = file_name(path);
+        let some = |count: usize, one: &str, many: &str| {
+            let (all, verb) = (self.polygons, if count == 1 { one } else { many });
+            format!("{file}: {count} of {all} polygons of more than three corners {verb}")
+        };
+        let mut notes = Vec::new();
+        if self.bent > 0 {
+            let (by, line) = self.most_bent;
+            notes.push(format!(
+                "{} not flat, the worst by {:.1} % of its size (line {line}): how it is cut into \
+                 triangles decides its shape; export triangles to decide that yourself",
+                some(self.bent, "is", "are"),
+                100.0 * by,
+            ));
+        }
+        if self.crossing > 0 {
+            notes.push(format!(
+                "{} (the first in line {}): without an inside, each is drawn as a fan of triangles; \
+                 repair them, or export triangles",
+                some(self.crossing, "crosses itself", "cross themselves"),
+                self.first_crossing,
+            ));
+        }
+        notes
+    }
 }
 
 #[cfg(test)]
 #[path = "obj_tests.rs"]
 mod tests;
+
+#[cfg(test)]
+#[path = "obj_text_tests.rs"]
+mod text_tests;

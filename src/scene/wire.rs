@@ -1,14 +1,16 @@
 //! Scene files as they are written: what serde reads, and its checks. Errors keep their places.
 
+use std::collections::HashSet;
 use std::ops::Range;
 use std::path::PathBuf;
 
-use glam::{Vec3, Vec4};
+use glam::{DVec3, Vec3, Vec4};
 use serde::Deserialize;
 use toml::Spanned;
 
 use super::camera::{CameraError, CameraKey, CameraPath, radians};
 use super::file::{Expect, MeshSource, Receiver, SceneFile};
+use super::light::{LightError, light};
 use super::obj::Up;
 use super::sphere_grid::SphereGrid;
 use crate::toml_array::Exactly;
@@ -130,9 +132,10 @@ fn check_receivers(
     place: &dyn Fn(&Range<usize>) -> String,
 ) -> Result<Vec<Receiver>, Misplaced> {
     let mut receivers: Vec<Receiver> = Vec::with_capacity(names.len());
+    let mut known = HashSet::with_capacity(names.len());
     for spanned in names {
         let name = spanned.get_ref().clone();
-        if receivers.iter().any(|receiver| receiver.name == name) {
+        if !known.insert(name.clone()) {
             return Err(misplaced(&spanned, &format!("`{name}` stands here twice")));
         }
         let place = place(&spanned.span());
@@ -165,30 +168,18 @@ fn refuse(
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct LightWire {
-    position: Spanned<Exactly<f32, 3>>,
-    w: Option<Spanned<f32>>,
+    position: Spanned<Exactly<f64, 3>>,
+    w: Option<Spanned<f64>>,
 }
 
 impl LightWire {
     fn check(self) -> Result<Vec4, Misplaced> {
-        let position = Vec3::from_array(self.position.get_ref().0);
+        let position = DVec3::from_array(self.position.get_ref().0);
         let w = self.w.as_ref().map_or(1.0, |w| *w.get_ref());
-        if let Some(spanned) = self.w.as_ref().filter(|_| w != 0.0 && w != 1.0) {
-            return Err(misplaced(
-                spanned,
-                &"w must be 1 (a position) or 0 (the direction towards the light)",
-            ));
-        }
-        if !position.is_finite() {
-            return Err(misplaced(&self.position, &"a light needs finite numbers"));
-        }
-        if w == 0.0 && position == Vec3::ZERO {
-            return Err(misplaced(
-                &self.position,
-                &"a direction towards the light cannot be zero",
-            ));
-        }
-        Ok(position.extend(w))
+        light(position, w).map_err(|error| match (error, &self.w) {
+            (LightError::Weight(_), Some(w)) => misplaced(w, &error),
+            _ => misplaced(&self.position, &error),
+        })
     }
 }
 

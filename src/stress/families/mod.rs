@@ -85,7 +85,8 @@ impl Family {
             Self::KleinBottle => Whole(4, 1000),
             Self::EdgeOn => Whole(0, 10_000),
             Self::LightOnElement => Whole(0, 3),
-            Self::LightDistance | Self::ScaleUp => Between(0.0, 9.0),
+            Self::LightDistance => Between(0.0, 38.0),
+            Self::ScaleUp => Between(0.0, 9.0),
             // Smaller, little would be left of it on the grid that positions lie on.
             Self::ScaleDown => Between(0.0, 7.0),
             Self::Needles
