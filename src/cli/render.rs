@@ -90,7 +90,7 @@ pub(super) fn execute(args: &RenderArgs) -> anyhow::Result<()> {
         .prepare(&context)
         .with_context(|| format!("method `{}`", info.id))?;
 
-    let cache = reference_cache();
+    let cache = reference_cache()?;
     let verifier = Verifier::new(&gpu, &scene, &stage, &cache)?;
     let truth = verifier.truth(&view)?;
     let mask = verifier.draw_mask(prepared.as_ref(), &truth)?;

@@ -1,9 +1,10 @@
 //! A method that looks a shadow map up: the parameters of both kinds, and what they have in common.
 
+use super::light_depth::Rounding;
 use super::limit::PRECISION_LIMIT;
 use super::parameters::{Parameters, in_range};
 use super::{
-    BiasSearch, Limit, MethodError, MethodInfo, Parameter, PrepareContext, PreparedMethod,
+    BiasSearch, Bound, Limit, MethodError, MethodInfo, Parameter, PrepareContext, PreparedMethod,
     ShadowMethod,
 };
 use crate::metrics::Label;
@@ -11,8 +12,14 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
 use std::fmt;
 use std::marker::PhantomData;
 
-/// See [`super::MethodInfo::parameters`]; each kind of map has its own resolution and constant bias.
+/// See [`super::MethodInfo::parameters`]; each kind of map has its own resolution.
 pub(super) const PARAMETERS: &[Parameter] = &[
+    (
+        "constant_bias",
+        "12",
+        "how far surfaces are taken to be nearer to the light, in units of rounding: half the last bit of the \
+         largest coordinate of scene, light and eye; at least 0",
+    ),
     (
         "slope_bias",
         "2.0",
@@ -36,14 +43,14 @@ pub(super) const LIMITS: &[Limit] = &[
         with: &[],
         fails: &[],
         kinds: &[Label::Staircase, Label::Acne, Label::DetachedShadow],
-        most_px: u64::MAX,
+        at_most: Bound::All,
     },
     Limit {
         text: "slope_bias=0: wrong in any scene: acne on every surface that does not face the light squarely",
         with: &[("slope_bias", "0.0")],
         fails: &[],
         kinds: &Label::ALL,
-        most_px: u64::MAX,
+        at_most: Bound::All,
     },
     PRECISION_LIMIT,
 ];
@@ -107,8 +114,6 @@ pub(super) trait MapKind: Clone + 'static {
     fn info() -> &'static MethodInfo;
     /// Side of the map unless told otherwise.
     const RESOLUTION: u32;
-    /// Constant bias unless told otherwise.
-    const CONSTANT_BIAS: i32;
     /// Makes it ready for a scene.
     fn prepare(
         context: &PrepareContext<'_>,
@@ -121,7 +126,7 @@ pub(super) trait MapKind: Clone + 'static {
 pub(super) struct MapParameters {
     /// Side in texels.
     pub resolution: u32,
-    /// Bias in units of the last bit.
+    /// Bias in units of rounding, see [`Rounding`].
     pub constant_bias: i32,
     /// Bias in texels, by the slope.
     pub slope_bias: f32,
@@ -145,7 +150,7 @@ impl<K: MapKind> Default for DepthMap<K> {
     fn default() -> Self {
         Self {
             resolution: K::RESOLUTION,
-            constant_bias: K::CONSTANT_BIAS,
+            constant_bias: Rounding::DEFAULT_UNITS,
             slope_bias: SlopeBias::Fixed(2.0),
             pcf: 1,
             kind: PhantomData,

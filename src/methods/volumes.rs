@@ -6,7 +6,7 @@
 
 use super::limit::PRECISION_LIMIT;
 use super::volume_parameters::{Counting, VolumeParameters};
-use super::{Limit, MethodError, PrepareContext, PreparedMethod};
+use super::{Bound, Limit, MethodError, PrepareContext, PreparedMethod};
 use crate::frame::{Stage, StencilResolve};
 use crate::gpu::native::{
     BindingKind, Bindings, IndexedGeometry, Pipeline, PipelineDesc, PrimitiveTopology, Raster,
@@ -31,7 +31,7 @@ pub(super) const LIMITS: &[Limit] = &[
         with: &[],
         fails: &[],
         kinds: &[Label::Overflow],
-        most_px: u64::MAX,
+        at_most: Bound::All,
     },
     Limit {
         text: "counting=z_pass: wrong where the eye or a part of the near rectangle is in a shadow volume",
@@ -45,7 +45,7 @@ pub(super) const LIMITS: &[Limit] = &[
             ("light_on_element", 1.0),
         ],
         kinds: &[],
-        most_px: u64::MAX,
+        at_most: Bound::All,
     },
     Limit {
         text: "determinism=none: leaks where a triangle is nearly edge-on to the light and its edges disagree",
@@ -57,7 +57,7 @@ pub(super) const LIMITS: &[Limit] = &[
             ("light_near_vertex", 4.0),
         ],
         kinds: &[],
-        most_px: u64::MAX,
+        at_most: Bound::All,
     },
     Limit {
         text: "front_cap=in_place: wrong in any scene, above all acne, where a cap and its own surface get depths that \
@@ -65,7 +65,7 @@ pub(super) const LIMITS: &[Limit] = &[
         with: &[("front_cap", "in_place")],
         fails: &[],
         kinds: &Label::ALL,
-        most_px: u64::MAX,
+        at_most: Bound::All,
     },
     Limit {
         text: "depth=standard: far from the eye the depth buffer cannot tell volumes from the surfaces that they \
@@ -73,7 +73,7 @@ pub(super) const LIMITS: &[Limit] = &[
         with: &[("depth", "standard")],
         fails: &[("far_casters", 4.0), ("large_triangles", 4.0)],
         kinds: &[Label::Acne, Label::Seam, Label::Grazing],
-        most_px: u64::MAX,
+        at_most: Bound::All,
     },
     PRECISION_LIMIT,
     Limit {
@@ -82,7 +82,7 @@ pub(super) const LIMITS: &[Limit] = &[
         with: &[],
         fails: &[("coplanar_overlap", 16.0)],
         kinds: &[Label::Grazing],
-        most_px: 16,
+        at_most: Bound::Px(16),
     },
 ];
 
@@ -94,7 +94,7 @@ pub(super) const TRIANGLE_LIMITS: &[Limit] = &[
         with: &[],
         fails: &[("nested_shells", 129.0)],
         kinds: &[Label::Seam],
-        most_px: 16,
+        at_most: Bound::Px(16),
     },
     Limit {
         text: "a wrong pixel or two where the edge between two large triangles is clipped far outside of the \
@@ -102,7 +102,7 @@ pub(super) const TRIANGLE_LIMITS: &[Limit] = &[
         with: &[],
         fails: &[],
         kinds: &[Label::Unlabelled],
-        most_px: 2,
+        at_most: Bound::Px(2),
     },
 ];
 

@@ -15,6 +15,7 @@
 
 mod boundary;
 mod cache;
+mod cache_folder;
 mod contact;
 mod evidence;
 mod grid;
