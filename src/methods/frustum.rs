@@ -12,7 +12,8 @@ const MAX_HALF_ANGLE_DEG: f64 = 75.0;
 /// Reversed floating-point depth is as precise whatever it is.
 pub(super) const NEAR_BY_FAR: f64 = 1e-6;
 
-/// The window is made this much larger, so that no caster touches the rim of the map.
+/// The window is made this much larger, so that no caster touches the rim of the map; and depth by as much of the
+/// casters' size.
 const MARGIN: f64 = 1e-3;
 
 /// A frustum from the light.
@@ -73,6 +74,16 @@ struct Extent {
     low: DVec3,
     high: DVec3,
     covered: usize,
+}
+
+/// What a matrix is made for.
+struct Fit {
+    extent: Extent,
+    /// The longest side of the casters' box.
+    longest: f64,
+    is_point: bool,
+    /// What the matrix takes places relative to.
+    about: DVec3,
 }
 
 impl Extent {
@@ -156,7 +167,13 @@ impl LightFrustum {
             extent
         };
         let origin = centre.as_vec3();
-        let rows = matrix(&axes, origin.as_dvec3(), &extent, is_point);
+        let fit = Fit {
+            extent,
+            longest: (bounds.high - bounds.low).max_element(),
+            is_point,
+            about: origin.as_dvec3(),
+        };
+        let rows = fit.rows(&axes);
         let step = rows.map(|row| -row.truncate().dot(axes.forward));
         Some(Self {
             origin,
@@ -168,32 +185,36 @@ impl LightFrustum {
     }
 }
 
-/// The rows of the matrix, of places relative to `about`.
-fn matrix(axes: &Axes, about: DVec3, extent: &Extent, is_point: bool) -> [DVec4; 4] {
-    let size = (extent.high - extent.low).max(DVec3::splat(f64::MIN_POSITIVE));
-    let middle = (extent.high + extent.low) / 2.0;
-    let scale = 2.0 / (size * (1.0 + 2.0 * MARGIN));
-    let row = |weights, constant| axes.row(about, weights, constant);
-    if is_point {
-        let far = extent.high.z * (1.0 + MARGIN);
-        let near = (extent.low.z * (1.0 - MARGIN)).max(far * NEAR_BY_FAR);
-        let k = near / (far - near);
-        // Window coordinates are divided by depth: the middle moves with it.
-        [
-            row(DVec3::new(scale.x, 0.0, -middle.x * scale.x), 0.0),
-            row(DVec3::new(0.0, scale.y, -middle.y * scale.y), 0.0),
-            row(DVec3::NEG_Z * k, k * far),
-            row(DVec3::Z, 0.0),
-        ]
-    } else {
-        let margin = MARGIN * size.z;
-        let k = 1.0 / (size.z + 2.0 * margin);
-        [
-            row(DVec3::X * scale.x, -middle.x * scale.x),
-            row(DVec3::Y * scale.y, -middle.y * scale.y),
-            row(DVec3::NEG_Z * k, k * (extent.high.z + margin)),
-            DVec4::W,
-        ]
+impl Fit {
+    /// The rows of the matrix.
+    fn rows(&self, axes: &Axes) -> [DVec4; 4] {
+        let Extent { low, high, .. } = self.extent;
+        let size = (high - low).max(DVec3::splat(f64::MIN_POSITIVE));
+        let middle = (high + low) / 2.0;
+        let scale = 2.0 / (size * (1.0 + 2.0 * MARGIN));
+        // Far above rounding, and of no account to the precision of depth.
+        let margin = MARGIN * self.longest.max(f64::MIN_POSITIVE);
+        let far = high.z + margin;
+        let row = |weights, constant| axes.row(self.about, weights, constant);
+        if self.is_point {
+            let near = (low.z - margin).max(far * NEAR_BY_FAR);
+            let k = near / (far - near);
+            // Window coordinates are divided by depth: the middle moves with it.
+            [
+                row(DVec3::new(scale.x, 0.0, -middle.x * scale.x), 0.0),
+                row(DVec3::new(0.0, scale.y, -middle.y * scale.y), 0.0),
+                row(DVec3::NEG_Z * k, k * far),
+                row(DVec3::Z, 0.0),
+            ]
+        } else {
+            let k = 1.0 / (far - (low.z - margin));
+            [
+                row(DVec3::X * scale.x, -middle.x * scale.x),
+                row(DVec3::Y * scale.y, -middle.y * scale.y),
+                row(DVec3::NEG_Z * k, k * far),
+                DVec4::W,
+            ]
+        }
     }
 }
 
