@@ -223,7 +223,7 @@ mod tests {
     use super::*;
     use crate::scene::sphere_grid::SphereGrid;
 
-    fn clip(frustum: &LightFrustum, p: glam::Vec3) -> glam::Vec3 {
+    fn clip(frustum: &LightFrustum, p: Vec3) -> Vec3 {
         let clip = frustum.view_projection * (p - frustum.origin).extend(1.0);
         clip.truncate() / clip.w
     }
@@ -246,14 +246,14 @@ mod tests {
             let casters = mesh
                 .casters()
                 .flat_map(|o| &mesh.positions[o.vertex_range()]);
-            let (mut low, mut high) = (glam::Vec3::INFINITY, glam::Vec3::NEG_INFINITY);
+            let (mut low, mut high) = (Vec3::INFINITY, Vec3::NEG_INFINITY);
             for p in casters {
                 let ndc = clip(&frustum, *p);
                 low = low.min(ndc);
                 high = high.max(ndc);
             }
-            assert!(low.cmpge(glam::Vec3::new(-1.0, -1.0, 0.0)).all(), "{low}");
-            assert!(high.cmple(glam::Vec3::ONE).all(), "{high}");
+            assert!(low.cmpge(Vec3::new(-1.0, -1.0, 0.0)).all(), "{low}");
+            assert!(high.cmple(Vec3::ONE).all(), "{high}");
             assert!((high - low).truncate().min_element() > 1.99, "{low} {high}");
         }
     }

@@ -133,7 +133,7 @@ fn row(run: &Run, row: &Summary) -> Markup {
 }
 
 /// A variant that may break between two parameters.
-fn breakable(variant: &str) -> Markup {
+pub(super) fn breakable(variant: &str) -> Markup {
     html! {
         @for part in variant.split_inclusive(',') { (part) (PreEscaped("<wbr>")) }
     }
