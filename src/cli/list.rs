@@ -3,7 +3,6 @@
 use crate::config::{builtin_scenes, find_scene};
 use crate::gpu::{DeviceSummary, Gpu, GpuOptions, list_devices};
 use crate::methods::{Limit, MethodInfo, REGISTRY};
-use crate::metrics::Label;
 use crate::scene::file::MeshSource;
 use crate::stress::corpus;
 use crate::stress::record::CauseRecord;
@@ -149,17 +148,12 @@ fn limit_details(limit: &Limit) -> Vec<String> {
         .map(|(cause, from)| format!("{cause} from {from}"))
         .collect();
     let kinds: Vec<_> = limit.kinds.iter().map(|kind| kind.word()).collect();
-    let kinds = if kinds.len() == Label::ALL.len() {
-        "any".to_owned()
-    } else {
-        kinds.join(", ")
-    };
     let mut details = Vec::new();
     if !causes.is_empty() {
         details.push(format!("causes: {}", causes.join(", ")));
     }
     if !kinds.is_empty() {
-        details.push(format!("kinds of error: {kinds}"));
+        details.push(format!("kinds of error: {}", kinds.join(", ")));
     }
     if !details.is_empty() {
         details.push(format!("at most: {}", limit.at_most));

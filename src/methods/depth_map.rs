@@ -36,21 +36,30 @@ pub(super) const PARAMETERS: &[Parameter] = &[
 /// See [`MethodInfo::tolerated_share`]: at true edges a map is wrong by a texel, which may be several pixels.
 pub(super) const TOLERATED_SHARE: f64 = 0.0025;
 
-/// What every map cannot do.
+/// What every map cannot do. The shares are those that the corpus of stress and random scenes need at 1024 texels,
+/// and some headroom.
 pub(super) const LIMITS: &[Limit] = &[
     Limit {
-        text: "edges are as coarse as the map's texels; acne and detached shadows trade off by bias",
+        text: "edges are as coarse as the map's texels, and a bias by slope detaches shadows by as much",
         with: &[],
         fails: &[],
-        kinds: &[Label::Staircase, Label::Acne, Label::DetachedShadow],
-        at_most: Bound::All,
+        kinds: &[Label::Staircase, Label::DetachedShadow],
+        at_most: Bound::Share(0.1),
     },
     Limit {
-        text: "slope_bias=0: wrong in any scene: acne on every surface that does not face the light squarely",
+        text: "errors of a texel or two where surfaces are thin, steep or close to each other: some acne, some of no \
+               clear kind",
+        with: &[],
+        fails: &[],
+        kinds: &[Label::Acne, Label::Unlabelled],
+        at_most: Bound::Share(0.03),
+    },
+    Limit {
+        text: "slope_bias=0: acne on every surface that does not face the light squarely, in any scene",
         with: &[("slope_bias", "0.0")],
         fails: &[],
-        kinds: &Label::ALL,
-        at_most: Bound::All,
+        kinds: &[Label::Acne, Label::Seam, Label::Grazing, Label::Unlabelled],
+        at_most: Bound::Share(0.9),
     },
     PRECISION_LIMIT,
 ];

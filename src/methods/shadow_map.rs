@@ -25,12 +25,7 @@ pub(super) static INFO: MethodInfo = MethodInfo {
         &[Limit {
             text: "a light among the casters: what its widest frustum (150 degrees) leaves out is lit",
             with: &[],
-            fails: &[
-                ("light_in_mesh", 0.5),
-                ("light_in_lantern", 0.6),
-                ("light_near_face", 1.0),
-                ("light_on_element", 1.0),
-            ],
+            fails: &[],
             kinds: &[Label::Uncovered],
             at_most: Bound::All,
         }],
