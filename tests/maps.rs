@@ -69,7 +69,7 @@ fn errors(studio: &Studio<'_>, scene: &Scene, method: &str) -> (MaskError, u64) 
         .judge(scene, &[parse_method(method).unwrap()])
         .unwrap();
     let shadowed = trial.truth.to_grey().iter().filter(|v| **v == 255).count();
-    assert!(shadowed > 2000, "{shadowed}");
+    assert!(shadowed > 500, "{shadowed}");
     let judgement = &trial.attempts[0].drawn().unwrap().judgement;
     (judgement.error, judgement.analysis.label_px(Label::Acne))
 }
@@ -127,7 +127,10 @@ fn no_scene_is_so_far_from_the_origin_that_its_surfaces_shadow_themselves() {
 fn the_default_bias_detaches_no_shadow() {
     let gpu = device();
     let studio = Studio::new(&gpu, SIZE_PX);
-    for light in [Vec4::new(3.0, 7.0, 1.0, 1.0), Vec4::new(0.4, 1.0, 0.3, 0.0)] {
+    for light in [
+        Vec4::new(-3.0, 7.0, -2.0, 1.0),
+        Vec4::new(-0.4, 1.0, -0.3, 0.0),
+    ] {
         let scene = box_over_floor(0.0, |p| p, Vec3::ZERO, light);
         let (error, _) = errors(&studio, &scene, "shadow_map");
         assert!(error.artifact_px <= 2, "{light}: {error:?}");
