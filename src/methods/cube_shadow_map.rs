@@ -5,11 +5,12 @@
 use super::depth_map::{self, DepthMap, MapKind, MapParameters};
 use super::frustum::NEAR_BY_FAR;
 use super::light_depth::{self, LightView, Lookup, Rounding};
-use super::{Limit, MethodError, MethodInfo, PrepareContext, PreparedMethod, Texels};
+use super::{Bound, Limit, MethodError, MethodInfo, PrepareContext, PreparedMethod, Texels};
 use crate::frame::Stage;
 use crate::frame::fullscreen::bind_group;
 use crate::geometry::Bounds;
 use crate::gpu::FrameRecorder;
+use crate::metrics::Label;
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec3, Mat4, Vec3, Vec4};
 use std::ops::Range;
@@ -23,7 +24,17 @@ pub(super) static INFO: MethodInfo = MethodInfo {
     needs: &[],
     limits: &[
         depth_map::LIMITS,
-        &[Limit::in_words("needs a light at a point")],
+        &[
+            Limit::in_words("needs a light at a point"),
+            Limit {
+                text: "a light many times farther away than the scene is large: all of it lies in few texels, and \
+                       its shadows are coarse or gone",
+                with: &[],
+                fails: &[("light_distance", 3.0)],
+                kinds: &[Label::Staircase, Label::DetachedShadow],
+                at_most: Bound::Share(0.5),
+            },
+        ],
     ],
     tolerated_share: depth_map::TOLERATED_SHARE,
     parameters: &[
