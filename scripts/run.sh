@@ -7,6 +7,7 @@ cd "$(dirname "$0")/.."
 . scripts/setup.sh
 
 need_compiler
+need_driver
 program=${CARGO_TARGET_DIR:-target}/release/svbench
 cargo build --release --locked
 need_device "$program"

@@ -1,4 +1,5 @@
-# Sourced by run.sh and test.sh: makes sure that this machine can build svbench and has a Vulkan driver.
+# Sourced by run.sh and test.sh: makes sure that this machine can build svbench and has a Vulkan driver, as far as
+# possible before the build, which takes minutes.
 #
 # A driver that is already there and has tessellation and geometry shaders is used as it is. Otherwise
 # Mesa's software driver is installed, where that is allowed; else this says what to install.
@@ -16,7 +17,27 @@ as_root() {
     fi
 }
 
-# install_packages WHAT PACKAGE...: installs Debian packages; apt options may be among them.
+# Whether this is Debian 12, whose own Mesa lacks newer stages.
+is_bookworm() {
+    [ -r /etc/os-release ] && [ "$(. /etc/os-release && echo "${VERSION_CODENAME:-}")" = bookworm ]
+}
+
+# The mirror that this system takes its packages from.
+mirror() {
+    local site
+    site=$(apt-get indextargets --format '$(SITE)' 'Codename: bookworm' 2>/dev/null | head -n 1)
+    printf '%s\n' "${site:-http://deb.debian.org/debian}"
+}
+
+backports_source=/etc/apt/sources.list.d/bookworm-backports.sources
+has_backports() { apt-cache policy | grep -q 'n=bookworm-backports'; }
+backports_text() {
+    printf 'Types: deb\nURIs: %s\nSuites: bookworm-backports\nComponents: main\nSigned-By: %s\n' \
+        "$(mirror)" /usr/share/keyrings/debian-archive-keyring.gpg
+}
+
+# install_packages WHAT PACKAGE...: installs Debian packages; `-t bookworm-backports` may be among them.
+# Where that is not possible, says what to run and ends the script.
 install_packages() {
     local what=$1
     shift
@@ -27,8 +48,16 @@ install_packages() {
     fi
     say "Installing $what: $*"
     if ! as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -q "$@" >&2; then
-        say "Could not install $what. As root, run: apt-get install $*"
-        say "(on Debian 12 the driver is best taken from bookworm-backports: -t bookworm-backports)"
+        say ""
+        say "svbench needs $what, and this user may not install it. As root, run:"
+        if [ "$1" = -t ] && ! has_backports; then
+            say "cat > $backports_source <<'END'"
+            say "$(backports_text)"
+            say "END"
+        fi
+        say "apt-get update"
+        say "apt-get install -y $*"
+        say "and start again."
         exit 1
     fi
 }
@@ -41,31 +70,58 @@ apt_update() {
 }
 
 need_compiler() {
-    if ! command -v c++ >/dev/null; then
-        apt_update
-        install_packages "a C++ compiler (for the GLSL compiler)" g++
-    fi
     if ! command -v cargo >/dev/null; then
         say "svbench needs a Rust toolchain (cargo). See https://rustup.rs"
         exit 1
     fi
+    if ! command -v c++ >/dev/null; then
+        apt_update
+        install_packages "a C++ compiler (for the GLSL compiler)" g++
+    fi
 }
 
-# Debian 12's own Mesa lacks newer stages, so its driver comes from bookworm-backports, from the same
-# mirror as the rest of the system.
-enable_backports() {
-    [ -r /etc/os-release ] || return 1
-    [ "$(. /etc/os-release && echo "${VERSION_CODENAME:-}")" = bookworm ] || return 1
-    if ! apt-cache policy | grep -q 'n=bookworm-backports'; then
-        local mirror keyring=/usr/share/keyrings/debian-archive-keyring.gpg
-        mirror=$(apt-get indextargets --format '$(SITE)' 'Codename: bookworm' | head -n 1)
-        [ -n "$mirror" ] || return 1
-        say "Enabling bookworm-backports"
-        printf 'Types: deb\nURIs: %s\nSuites: bookworm-backports\nComponents: main\nSigned-By: %s\n' \
-            "$mirror" "$keyring" |
-            as_root tee /etc/apt/sources.list.d/bookworm-backports.sources >/dev/null || return 1
-        as_root apt-get update -q >&2 || return 1
+# Installs Mesa's software driver; on Debian 12 from bookworm-backports, of the same mirror as the rest of the
+# system.
+install_driver() {
+    local from=()
+    apt_update
+    if command -v apt-get >/dev/null && is_bookworm; then
+        from=(-t bookworm-backports)
+        if ! has_backports; then
+            if backports_text | as_root tee "$backports_source" >/dev/null; then
+                say "Enabled bookworm-backports"
+                as_root apt-get update -q >&2 || true
+            fi
+        fi
     fi
+    install_packages "a Vulkan driver (Mesa's software driver will do)" "${from[@]}" mesa-vulkan-drivers libvulkan1
+}
+
+# Whether any Vulkan driver is installed, where the Vulkan loader looks for them. Says nothing about what it can
+# do: that the program finds out once it is built.
+has_driver() {
+    local data=${XDG_DATA_HOME:-${HOME:-}/.local/share} config=${XDG_CONFIG_HOME:-${HOME:-}/.config}
+    local named=${VK_DRIVER_FILES:-${VK_ICD_FILENAMES:-}} folder file folders
+    IFS=: read -ra folders <<<"$named:${VK_ADD_DRIVER_FILES:-}"
+    if [ -z "$named" ]; then
+        local dirs
+        IFS=: read -ra dirs <<<"$config:${XDG_CONFIG_DIRS:-/etc/xdg}:/etc:$data:${XDG_DATA_DIRS:-/usr/local/share:/usr/share}"
+        for folder in "${dirs[@]}"; do folders+=("$folder/vulkan/icd.d"); done
+    fi
+    # A file or a folder of them.
+    for folder in "${folders[@]}"; do
+        for file in "$folder" "$folder"/*.json; do
+            case $file in *.json) [ -r "$file" ] && return 0 ;; esac
+        done
+    done
+    return 1
+}
+
+# Before the build, which takes minutes: without any driver, one is needed for certain.
+need_driver() {
+    has_driver && return
+    say "No Vulkan driver found."
+    install_driver
 }
 
 # has_device PROGRAM: whether the program finds a device with all stages.
@@ -77,12 +133,7 @@ has_device() {
 need_device() {
     has_device "$1" && return
     say "No Vulkan device with tessellation and geometry shaders found."
-    apt_update
-    if command -v apt-get >/dev/null && enable_backports; then
-        install_packages "Mesa's software Vulkan driver" -t bookworm-backports mesa-vulkan-drivers libvulkan1
-    else
-        install_packages "Mesa's software Vulkan driver" mesa-vulkan-drivers libvulkan1
-    fi
+    install_driver
     if ! has_device "$1"; then
         say "Still no device; svbench sees:"
         "$1" list devices >&2

@@ -5,9 +5,10 @@ cd "$(dirname "$0")/.."
 . scripts/setup.sh
 
 need_compiler
+need_driver
+need_validation_layers
 program=${CARGO_TARGET_DIR:-target}/release/svbench
 cargo build --release --locked
 need_device "$program"
-need_validation_layers
 # In release: the tests trace rays and rasterise in software.
 exec cargo test --release --locked "$@"

@@ -7,6 +7,9 @@ use std::fs::{self, File, Metadata, OpenOptions};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
+/// Begins the name of a file that is not whole yet; one that stays was left by a process that was killed.
+pub const PARTIAL_PREFIX: &str = ".partial-";
+
 /// Writes `bytes` to `path`; see [`write_with`].
 ///
 /// # Errors
@@ -154,7 +157,7 @@ fn replace(
     write: impl FnOnce(&mut dyn Write) -> anyhow::Result<()>,
 ) -> anyhow::Result<()> {
     let mut builder = tempfile::Builder::new();
-    builder.prefix(".partial-");
+    builder.prefix(PARTIAL_PREFIX);
     // As any new file: the system takes from it what the umask says.
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));

@@ -456,6 +456,15 @@ fn lists_say_what_can_run_here() {
     for method in all["methods"].as_array().unwrap() {
         assert_eq!(method["available"], true, "{method}");
         assert!(!method["limits"].as_array().unwrap().is_empty());
+        for limit in method["limits"].as_array().unwrap() {
+            let at_most = &limit["at_most"];
+            let share = at_most["share"]
+                .as_f64()
+                .map(|share| share > 0.0 && share < 1.0);
+            let px = at_most["px"].as_u64().map(|px| (1..100).contains(&px));
+            let is_bound = share.or(px).unwrap_or(at_most == "all");
+            assert!(is_bound, "{limit}");
+        }
     }
     assert!(
         all["scenes"]

@@ -26,9 +26,14 @@ fn depth_at(w: f32) -> f32 {
     return abs(frame.picture.w - frame.picture.z / w);
 }
 
-// World position of the surface at a pixel centre, from its depth in [0, 1].
-fn surface_position(pixel: vec2<f32>, depth: f32) -> vec3<f32> {
+// From the eye to the surface at a pixel centre, by its depth in [0, 1].
+fn eye_ray(pixel: vec2<f32>, depth: f32) -> vec3<f32> {
     let ndc = vec2<f32>(2.0 * pixel.x / frame.picture.x - 1.0, 1.0 - 2.0 * pixel.y / frame.picture.y);
     let ray = (frame.clip_to_eye_ray * vec4<f32>(ndc, 0.0, 1.0)).xyz;
-    return frame.eye.xyz + ray * (frame.picture.z / abs(depth - frame.picture.w));
+    return ray * (frame.picture.z / abs(depth - frame.picture.w));
+}
+
+// World position of the surface at a pixel centre, from its depth in [0, 1].
+fn surface_position(pixel: vec2<f32>, depth: f32) -> vec3<f32> {
+    return frame.eye.xyz + eye_ray(pixel, depth);
 }

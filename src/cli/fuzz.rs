@@ -11,8 +11,12 @@ use crate::methods::{REGISTRY, ShadowMethod};
 use crate::output;
 use crate::scene::export;
 use crate::stress::{Failure, Finding, FuzzPlan, Studio, Tally, fuzz};
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
+
+/// Random scenes where neither their number nor a time is given.
+const DEFAULT_CASES: u64 = 1000;
 
 /// Arguments of `svbench fuzz`.
 #[derive(Debug, clap::Args)]
@@ -20,9 +24,9 @@ pub(super) struct FuzzArgs {
     /// Try this method; may be repeated (default: every method that promises to be exact)
     #[arg(long, value_name = "ID[,key=value...]")]
     method: Vec<String>,
-    /// Number of random scenes
-    #[arg(long, value_name = "N", default_value_t = 1000)]
-    cases: u64,
+    /// Number of random scenes (default: 1000, or with --seconds as many as there is time for)
+    #[arg(long, value_name = "N")]
+    cases: Option<u64>,
     /// Seed of the first scene; the next scene has the next seed
     #[arg(long, value_name = "N", default_value_t = 0)]
     seed: u64,
@@ -48,7 +52,7 @@ pub(super) fn execute(args: &FuzzArgs) -> anyhow::Result<()> {
     }
     let progress = Progress::counting("scenes")?;
     let plan = FuzzPlan {
-        seeds: args.seed..args.seed.saturating_add(args.cases),
+        seeds: seeds(args),
         budget: args.seconds.map(Duration::from_secs),
     };
     let studio = Studio::new(&gpu, args.size);
@@ -80,6 +84,16 @@ pub(super) fn execute(args: &FuzzArgs) -> anyhow::Result<()> {
         anyhow::bail!("no method can draw these scenes on this device");
     }
     console::check_printed()
+}
+
+/// The seeds of the scenes: without a number of cases and with a time, all that there are.
+fn seeds(args: &FuzzArgs) -> Range<u64> {
+    let cases = match (args.cases, args.seconds) {
+        (Some(cases), _) => cases,
+        (None, None) => DEFAULT_CASES,
+        (None, Some(_)) => u64::MAX,
+    };
+    args.seed..args.seed.saturating_add(cases)
 }
 
 /// The methods named, or all that promise to be exact.
@@ -165,4 +179,28 @@ fn table(methods: &[Box<dyn ShadowMethod>], tallies: &[Tally]) -> String {
         }
     }
     text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::Parser;
+
+    #[derive(Parser)]
+    struct Line {
+        #[command(flatten)]
+        fuzz: FuzzArgs,
+    }
+
+    #[test]
+    fn time_alone_ends_a_run_unless_a_number_of_cases_is_given_too() {
+        let seeds = |words: &[&str]| {
+            let words = ["fuzz", "--seed", "7"].iter().chain(words);
+            seeds(&Line::try_parse_from(words).unwrap().fuzz)
+        };
+        assert_eq!(seeds(&[]), 7..1007);
+        assert_eq!(seeds(&["--cases", "3"]), 7..10);
+        assert_eq!(seeds(&["--seconds", "60", "--cases", "3"]), 7..10);
+        assert_eq!(seeds(&["--seconds", "60"]), 7..u64::MAX);
+    }
 }

@@ -3,8 +3,7 @@
 use crate::config::{builtin_scenes, find_scene};
 use crate::console;
 use crate::gpu::{DeviceSummary, Gpu, GpuError, GpuOptions, list_devices};
-use crate::methods::{MethodInfo, REGISTRY};
-use crate::metrics::Label;
+use crate::methods::{Limit, MethodInfo, REGISTRY};
 use crate::scene::file::MeshSource;
 use crate::stress::corpus;
 use crate::stress::record::CauseRecord;
@@ -149,6 +148,26 @@ fn scenes() -> anyhow::Result<Vec<SceneRow>> {
     builtin_scenes().into_iter().map(row).collect()
 }
 
+/// What a limit says besides its text: where it shows, as what, and how much of it there may be.
+fn limit_details(limit: &Limit) -> Vec<String> {
+    let fails = limit.fails.iter();
+    let causes: Vec<_> = fails
+        .map(|(cause, from)| format!("{cause} from {from}"))
+        .collect();
+    let kinds: Vec<_> = limit.kinds.iter().map(|kind| kind.word()).collect();
+    let mut details = Vec::new();
+    if !causes.is_empty() {
+        details.push(format!("causes: {}", causes.join(", ")));
+    }
+    if !kinds.is_empty() {
+        details.push(format!("kinds of error: {}", kinds.join(", ")));
+    }
+    if !details.is_empty() {
+        details.push(format!("at most: {}", limit.at_most));
+    }
+    details
+}
+
 fn text(listing: &Listing) -> String {
     let mut text = String::new();
     let mut line = |indent: usize, words: &str| {
@@ -180,20 +199,8 @@ fn text(listing: &Listing) -> String {
         line(4, &format!("needs: {needs}"));
         for limit in info.limits.iter().copied().flatten() {
             line(4, &format!("limit: {}", limit.text));
-            if !limit.fails.is_empty() {
-                let fails = limit.fails.iter();
-                let causes: Vec<_> = fails
-                    .map(|(cause, from)| format!("{cause} from {from}"))
-                    .collect();
-                line(8, &format!("causes: {}", causes.join(", ")));
-            }
-            match limit.kinds.len() {
-                0 => {}
-                all if all == Label::ALL.len() => line(8, "kinds of error: any"),
-                _ => {
-                    let kinds: Vec<_> = limit.kinds.iter().map(|kind| kind.word()).collect();
-                    line(8, &format!("kinds of error: {}", kinds.join(", ")));
-                }
+            for words in limit_details(limit) {
+                line(8, &words);
             }
         }
         for (name, default, meaning) in info.parameters.concat() {

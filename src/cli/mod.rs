@@ -130,8 +130,8 @@ pub fn exit_code(error: &anyhow::Error) -> u8 {
 }
 
 /// Where reference masks are kept: `SVBENCH_CACHE`, else the user's cache folder; an empty
-/// variable switches the cache off.
-fn reference_cache() -> ReferenceCache {
+/// variable switches the cache off. `SVBENCH_CACHE_MIB` is what it may grow to.
+fn reference_cache() -> anyhow::Result<ReferenceCache> {
     use etcetera::BaseStrategy;
     let dir = match std::env::var_os("SVBENCH_CACHE") {
         Some(dir) if dir.is_empty() => None,
@@ -140,7 +140,20 @@ fn reference_cache() -> ReferenceCache {
             .ok()
             .map(|dirs| dirs.cache_dir().join("svbench").join("reference")),
     };
-    ReferenceCache::open(dir)
+    let most_mib = match std::env::var_os("SVBENCH_CACHE_MIB") {
+        None => ReferenceCache::DEFAULT_MIB,
+        Some(text) => most_mib(&text.to_string_lossy())?,
+    };
+    Ok(ReferenceCache::open(dir).with_most_bytes(most_mib.saturating_mul(1 << 20)))
+}
+
+fn most_mib(text: &str) -> Result<u64, ConfigError> {
+    text.trim().parse().map_err(|_| {
+        ConfigError(format!(
+            "SVBENCH_CACHE_MIB is `{text}`; it must be a whole number of MiB, such as {}",
+            ReferenceCache::DEFAULT_MIB
+        ))
+    })
 }
 
 /// What the colours of an error map mean.

@@ -100,7 +100,7 @@ pub(super) fn execute(args: &RenderArgs) -> anyhow::Result<()> {
     let prepared = methods::prepare(method.as_ref(), &context)
         .with_context(|| format!("method `{}`", info.id))?;
 
-    let cache = reference_cache();
+    let cache = reference_cache()?;
     let verifier = Verifier::new(&gpu, &scene, &stage, &cache)?;
     let truth = verifier.truth(&view)?;
     let mask = verifier.draw_mask(prepared.as_ref(), &truth)?;

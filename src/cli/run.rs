@@ -55,13 +55,14 @@ pub(super) fn execute(args: &RunArgs, accuracy: Option<u32>) -> anyhow::Result<(
         Some(out) => out.clone(),
         None => default_out(&args.config, &gpu)?,
     };
+    let cache = reference_cache()?;
     let progress = Progress::counting("frames")?;
     let outcome = bench::run(&RunRequest {
         gpu: &gpu,
         plan: &plan,
         out: &out,
         command: provenance::command(),
-        cache: &reference_cache(),
+        cache: &cache,
         observer: &progress,
     });
     progress.finish();

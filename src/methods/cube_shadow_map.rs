@@ -3,12 +3,14 @@
 //! Milet et al. 2014 had no shadow map to compare with.
 
 use super::depth_map::{self, DepthMap, MapKind, MapParameters};
-use super::light_depth::{self, Lookup};
-use super::{Limit, MethodError, MethodInfo, PrepareContext, PreparedMethod, Texels};
+use super::frustum::NEAR_BY_FAR;
+use super::light_depth::{self, LightView, Lookup, Rounding};
+use super::{Bound, Limit, MethodError, MethodInfo, PrepareContext, PreparedMethod, Texels};
 use crate::frame::Stage;
 use crate::frame::fullscreen::bind_group;
 use crate::geometry::Bounds;
 use crate::gpu::FrameRecorder;
+use crate::metrics::Label;
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec3, Mat4, Vec3, Vec4};
 use std::ops::Range;
@@ -21,29 +23,28 @@ pub(super) static INFO: MethodInfo = MethodInfo {
     needs: &[],
     limits: &[
         depth_map::LIMITS,
-        &[Limit::in_words("needs a light at a point")],
+        &[
+            Limit::in_words("needs a light at a point"),
+            Limit {
+                text: "a light many times farther away than the scene is large: all of it lies in few texels, and \
+                       its shadows are coarse or gone",
+                with: &[],
+                fails: &[("light_distance", 3.0)],
+                kinds: &[Label::Staircase, Label::DetachedShadow],
+                at_most: Bound::Share(0.5),
+            },
+        ],
     ],
     tolerated_share: depth_map::TOLERATED_SHARE,
     parameters: &[
-        &[
-            (
-                "resolution",
-                "2048",
-                "side of each of the six faces in texels, up to the device's limit",
-            ),
-            (
-                "constant_bias",
-                "16",
-                "depth bias in units of the last bit of the distance, at least 0",
-            ),
-        ],
+        &[(
+            "resolution",
+            "2048",
+            "side of each of the six faces in texels, up to the device's limit",
+        )],
         depth_map::PARAMETERS,
     ],
 };
-
-/// The near plane lies at this part of the distance of the farthest caster. Reversed floating-point depth
-/// is as precise whatever it is.
-const NEAR_BY_FAR: f64 = 1e-6;
 
 /// The map, in six views.
 #[derive(Debug, Clone)]
@@ -58,7 +59,6 @@ impl MapKind for SixViews {
     }
 
     const RESOLUTION: u32 = 2048;
-    const CONSTANT_BIAS: i32 = 16;
 
     fn prepare(
         context: &PrepareContext<'_>,
@@ -82,6 +82,7 @@ struct CubeData {
     up: [Vec4; 6],
     forward: [Vec4; 6],
     light: Vec4,
+    rounding: Vec4,
 }
 
 /// The axes of one face: x right, y up, and the direction that it looks in.
@@ -109,14 +110,14 @@ fn faces() -> [FaceAxes; 6] {
 }
 
 impl FaceAxes {
-    /// World to clip space of a view of 90 degrees from `light`; reversed infinite depth: z = near.
-    fn view_projection(&self, light: Vec3, near: f32) -> Mat4 {
-        let row = |axis: Vec3| axis.extend(-axis.dot(light));
+    /// To clip space of a view of 90 degrees, from places relative to the light; reversed infinite depth:
+    /// z = near.
+    fn view_projection(&self, near: f32) -> Mat4 {
         let rows = [
-            row(self.right),
-            row(self.up),
+            self.right.extend(0.0),
+            self.up.extend(0.0),
             Vec4::new(0.0, 0.0, 0.0, near),
-            row(self.forward),
+            self.forward.extend(0.0),
         ];
         Mat4::from_cols_array_2d(&rows.map(|row| row.to_array())).transpose()
     }
@@ -161,17 +162,15 @@ impl PreparedCube {
         let uniform =
             |contents: &[u8]| gpu.buffer("a light", contents, wgpu::BufferUsages::UNIFORM);
         let near = near_distance(extents.all_casters, light.as_dvec3());
-        // Nearer is larger, so what pushes away is negative.
-        let bias = wgpu::DepthBiasState {
-            constant: -parameters.constant_bias,
-            slope_scale: -parameters.slope_bias,
-            clamp: 0.0,
-        };
-        let pipeline = light_depth::pipeline(gpu, wgpu::CompareFunction::Greater, bias);
+        let rounding = Rounding::new(parameters.constant_bias, extents.scene, light);
+        let pipeline = light_depth::pipeline(gpu, parameters.slope_bias);
         let map = light_depth::texture(gpu, parameters.resolution, 6)?;
         let casters = || context.stage.scene.casters.iter().zip(&extents.casters);
         let face = |(layer, axes): (u32, &FaceAxes)| {
-            let matrix = uniform(bytemuck::bytes_of(&axes.view_projection(light, near)))?;
+            let view = uniform(bytemuck::bytes_of(&LightView {
+                view_projection: axes.view_projection(near),
+                origin: light.extend(1.0),
+            }))?;
             let layout = pipeline.get_bind_group_layout(0);
             Ok::<_, MethodError>(Face {
                 layer: map.create_view(&wgpu::TextureViewDescriptor {
@@ -180,7 +179,7 @@ impl PreparedCube {
                     array_layer_count: Some(1),
                     ..Default::default()
                 }),
-                light: bind_group(&gpu.device, &layout, &[matrix.as_entire_binding()]),
+                light: bind_group(&gpu.device, &layout, &[view.as_entire_binding()]),
                 objects: casters()
                     .filter(|(_, bounds)| axes.may_see(**bounds, light.as_dvec3()))
                     .map(|(object, _)| object.clone())
@@ -193,6 +192,7 @@ impl PreparedCube {
             up: axes.each_ref().map(|face| face.up.extend(0.0)),
             forward: axes.each_ref().map(|face| face.forward.extend(0.0)),
             light: light.extend(near),
+            rounding: rounding.for_shader(),
         }))?;
         let dimension = wgpu::TextureViewDimension::D2Array;
         let whole = map.create_view(&wgpu::TextureViewDescriptor {
@@ -228,7 +228,7 @@ impl PreparedMethod for PreparedCube {
         frame.stage("map", |encoder| {
             let draw = |face: &Face| {
                 let how = (&self.pipeline, &face.light);
-                light_depth::draw(encoder, &face.layer, 0.0, how, &stage.scene, &face.objects)
+                light_depth::draw(encoder, &face.layer, how, &stage.scene, &face.objects)
             };
             self.faces.iter().map(draw).sum()
         });
@@ -278,7 +278,7 @@ mod tests {
             let point = light + offset;
             for face in faces() {
                 let along = face.forward.dot(offset);
-                let clip = face.view_projection(light, 1e-5) * point.extend(1.0);
+                let clip = face.view_projection(1e-5) * (point - light).extend(1.0);
                 let inside = clip.w > 0.0 && clip.x.abs().max(clip.y.abs()) <= clip.w * 1.001;
                 if along == largest {
                     prop_assert!(inside, "{clip}");

@@ -1,24 +1,31 @@
 //! The light's frustum: the smallest that covers the casters.
 
+use crate::geometry::Bounds;
 use crate::scene::Mesh;
-use glam::{DVec3, DVec4, Mat4, Vec4};
+use glam::{DVec3, DVec4, Mat4, Vec3, Vec4};
 use rayon::prelude::*;
 
 /// Widest half-angle of a perspective map: beyond it, texels at the rim cover hardly anything.
 const MAX_HALF_ANGLE_DEG: f64 = 75.0;
 
-/// The nearest depth of a perspective map is at least this part of the farthest one.
-const MIN_NEAR_BY_FAR: f64 = 1e-3;
+/// The near plane of a perspective map lies at this part of the distance of the farthest caster at least.
+/// Reversed floating-point depth is as precise whatever it is.
+pub(super) const NEAR_BY_FAR: f64 = 1e-6;
 
-/// The window is made this much larger, so that no caster touches the rim of the map.
+/// The window is made this much larger, so that no caster touches the rim of the map; and depth by as much of the
+/// casters' size.
 const MARGIN: f64 = 1e-3;
 
 /// A frustum from the light.
 #[derive(Debug, Clone)]
 pub(super) struct LightFrustum {
-    /// World to the map's clip space: x right, y up, depth 0 at the nearest caster, 1 at the
-    /// farthest.
+    /// What the matrix takes places relative to: the middle of the casters, so that neither a light nor an
+    /// origin of the world that is far away costs digits.
+    pub origin: Vec3,
+    /// To the map's clip space: x right, y up, depth 1 at the nearest caster, 0 at the farthest.
     pub view_projection: Mat4,
+    /// What a step of 1 towards the light adds to clip space.
+    pub step: Vec4,
     /// Part of the casters' vertices that it covers, 0 to 1.
     pub covered: f64,
 }
@@ -53,10 +60,10 @@ impl Axes {
         DVec3::new(d.dot(self.right), d.dot(self.up), d.dot(self.forward))
     }
 
-    /// The row of a matrix that gives `weights · local(p) + constant`.
-    fn row(&self, weights: DVec3, constant: f64) -> DVec4 {
+    /// The row of a matrix that gives `weights · local(p) + constant`, for p relative to `about`.
+    fn row(&self, about: DVec3, weights: DVec3, constant: f64) -> DVec4 {
         let row = self.right * weights.x + self.up * weights.y + self.forward * weights.z;
-        row.extend(constant - row.dot(self.origin))
+        row.extend(constant + weights.dot(self.local(about)))
     }
 }
 
@@ -67,6 +74,16 @@ struct Extent {
     low: DVec3,
     high: DVec3,
     covered: usize,
+}
+
+/// What a matrix is made for.
+struct Fit {
+    extent: Extent,
+    /// The longest side of the casters' box.
+    longest: f64,
+    is_point: bool,
+    /// What the matrix takes places relative to.
+    about: DVec3,
 }
 
 impl Extent {
@@ -131,48 +148,74 @@ impl LightFrustum {
         if extent.covered == 0 {
             return None;
         }
+        let extent = if extent.covered < bounds.covered {
+            // A triangle may have corners outside and be seen inside: no depth of what is before the light is
+            // cut away.
+            let (_, farthest) = Bounds {
+                low: bounds.low,
+                high: bounds.high,
+            }
+            .range_along(axes.forward);
+            let high = extent.high.with_z(farthest - axes.forward.dot(axes.origin));
+            let low = extent.low.with_z(0.0);
+            Extent {
+                low,
+                high,
+                ..extent
+            }
+        } else {
+            extent
+        };
+        let origin = centre.as_vec3();
+        let fit = Fit {
+            extent,
+            longest: (bounds.high - bounds.low).max_element(),
+            is_point,
+            about: origin.as_dvec3(),
+        };
+        let rows = fit.rows(&axes);
+        let step = rows.map(|row| -row.truncate().dot(axes.forward));
         Some(Self {
-            view_projection: matrix(&axes, &extent, is_point),
+            origin,
+            view_projection: Mat4::from_cols_array_2d(&rows.map(|row| row.as_vec4().to_array()))
+                .transpose(),
+            step: DVec4::from_array(step).as_vec4(),
             covered: extent.covered as f64 / bounds.covered as f64,
         })
     }
 }
 
-fn matrix(axes: &Axes, extent: &Extent, is_point: bool) -> Mat4 {
-    let size = (extent.high - extent.low).max(DVec3::splat(f64::MIN_POSITIVE));
-    let (near, far) = if is_point {
-        let far = extent.high.z * (1.0 + MARGIN);
-        (
-            (extent.low.z * (1.0 - MARGIN)).max(far * MIN_NEAR_BY_FAR),
-            far,
-        )
-    } else {
-        (
-            extent.low.z - MARGIN * size.z,
-            extent.high.z + MARGIN * size.z,
-        )
-    };
-    let middle = (extent.high + extent.low) / 2.0;
-    let scale = 2.0 / (size * (1.0 + 2.0 * MARGIN));
-    let rows = if is_point {
-        // Window coordinates are divided by depth: the middle moves with it.
-        let k = far / (far - near);
-        [
-            axes.row(DVec3::new(scale.x, 0.0, -middle.x * scale.x), 0.0),
-            axes.row(DVec3::new(0.0, scale.y, -middle.y * scale.y), 0.0),
-            axes.row(DVec3::new(0.0, 0.0, k), -k * near),
-            axes.row(DVec3::Z, 0.0),
-        ]
-    } else {
-        let k = 1.0 / (far - near);
-        [
-            axes.row(DVec3::X * scale.x, -middle.x * scale.x),
-            axes.row(DVec3::Y * scale.y, -middle.y * scale.y),
-            axes.row(DVec3::Z * k, -near * k),
-            DVec4::W,
-        ]
-    };
-    Mat4::from_cols_array_2d(&rows.map(|row| row.as_vec4().to_array())).transpose()
+impl Fit {
+    /// The rows of the matrix.
+    fn rows(&self, axes: &Axes) -> [DVec4; 4] {
+        let Extent { low, high, .. } = self.extent;
+        let size = (high - low).max(DVec3::splat(f64::MIN_POSITIVE));
+        let middle = (high + low) / 2.0;
+        let scale = 2.0 / (size * (1.0 + 2.0 * MARGIN));
+        // Far above rounding, and of no account to the precision of depth.
+        let margin = MARGIN * self.longest.max(f64::MIN_POSITIVE);
+        let far = high.z + margin;
+        let row = |weights, constant| axes.row(self.about, weights, constant);
+        if self.is_point {
+            let near = (low.z - margin).max(far * NEAR_BY_FAR);
+            let k = near / (far - near);
+            // Window coordinates are divided by depth: the middle moves with it.
+            [
+                row(DVec3::new(scale.x, 0.0, -middle.x * scale.x), 0.0),
+                row(DVec3::new(0.0, scale.y, -middle.y * scale.y), 0.0),
+                row(DVec3::NEG_Z * k, k * far),
+                row(DVec3::Z, 0.0),
+            ]
+        } else {
+            let k = 1.0 / (far - (low.z - margin));
+            [
+                row(DVec3::X * scale.x, -middle.x * scale.x),
+                row(DVec3::Y * scale.y, -middle.y * scale.y),
+                row(DVec3::NEG_Z * k, k * far),
+                DVec4::W,
+            ]
+        }
+    }
 }
 
 #[cfg(test)]
@@ -180,8 +223,8 @@ mod tests {
     use super::*;
     use crate::scene::sphere_grid::SphereGrid;
 
-    fn clip(frustum: &LightFrustum, p: glam::Vec3) -> glam::Vec3 {
-        let clip = frustum.view_projection * p.extend(1.0);
+    fn clip(frustum: &LightFrustum, p: Vec3) -> Vec3 {
+        let clip = frustum.view_projection * (p - frustum.origin).extend(1.0);
         clip.truncate() / clip.w
     }
 
@@ -203,14 +246,14 @@ mod tests {
             let casters = mesh
                 .casters()
                 .flat_map(|o| &mesh.positions[o.vertex_range()]);
-            let (mut low, mut high) = (glam::Vec3::INFINITY, glam::Vec3::NEG_INFINITY);
+            let (mut low, mut high) = (Vec3::INFINITY, Vec3::NEG_INFINITY);
             for p in casters {
                 let ndc = clip(&frustum, *p);
                 low = low.min(ndc);
                 high = high.max(ndc);
             }
-            assert!(low.cmpge(glam::Vec3::new(-1.0, -1.0, 0.0)).all(), "{low}");
-            assert!(high.cmple(glam::Vec3::ONE).all(), "{high}");
+            assert!(low.cmpge(Vec3::new(-1.0, -1.0, 0.0)).all(), "{low}");
+            assert!(high.cmple(Vec3::ONE).all(), "{high}");
             assert!((high - low).truncate().min_element() > 1.99, "{low} {high}");
         }
     }

@@ -6,10 +6,59 @@ use crate::frame::fullscreen::{
 };
 use crate::frame::targets::MASK_FORMAT;
 use crate::frame::{SceneBuffers, Stage};
+use crate::geometry::Bounds;
 use crate::gpu::{FrameRecorder, Gpu, shader};
+use bytemuck::{Pod, Zeroable};
+use glam::{Mat4, Vec3, Vec4};
 use std::ops::Range;
 
 const FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
+
+/// One view from the light. Twin of `Light` in shaders/methods/shadow_map/map.wgsl.
+///
+/// Both maps see places relative to `origin`, the light itself or the middle of the casters, so that the
+/// last digits are those of distances in the scene wherever in the world it is. What is nearer is larger:
+/// so floating-point depth is finest where it has to be, far from the light.
+#[repr(C)]
+#[derive(Clone, Copy, Pod, Zeroable)]
+pub(super) struct LightView {
+    pub view_projection: Mat4,
+    pub origin: Vec4,
+}
+
+/// The constant bias: how far a surface may seem to be from where it is, for rounding alone.
+///
+/// With u = 2^-24, half the last bit of 1, and M the largest coordinate: the rows of the matrix by which the
+/// G-buffer places a vertex, and the sums in them, are off by some 3 u (M + eye); that is the same for all
+/// pixels of the triangle, whose corners may lie far outside of the picture. Depth, the ray of the pixel and
+/// the way from the map's origin add a few u times distances that are at most twice as long. A dozen u
+/// (M + eye) bounds all of it.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Rounding {
+    units: i32,
+    largest: f64,
+}
+
+impl Rounding {
+    /// By so many u, of a scene that is seen from `origin`.
+    pub(super) fn new(units: i32, scene: Bounds, origin: Vec3) -> Self {
+        let scene = scene.union(Bounds::of([&origin]));
+        Self {
+            units,
+            largest: scene.low.abs().max(scene.high.abs()).max_element(),
+        }
+    }
+
+    /// See [`Self`].
+    pub(super) const DEFAULT_UNITS: i32 = 12;
+
+    /// As shaders/methods/shadow_map/bias.wgsl has it.
+    pub(super) fn for_shader(self) -> Vec4 {
+        const HALF_LAST_BIT: f64 = f32::EPSILON as f64 / 2.0;
+        let per_unit = f64::from(self.units) * HALF_LAST_BIT;
+        Vec4::new(per_unit as f32, self.largest as f32, 0.0, 0.0)
+    }
+}
 
 /// The texel at a place on a layer, as the lookup shaders have it: x right and y up from -1 to 1.
 pub(super) fn texel_at(layer: i64, x: f64, y: f64, resolution: u32) -> [i64; 3] {
@@ -42,12 +91,8 @@ pub(super) fn texture(
     })?)
 }
 
-/// The pipeline that draws casters into a map; bind group 0 holds the light's matrix.
-pub(super) fn pipeline(
-    gpu: &Gpu,
-    nearer: wgpu::CompareFunction,
-    bias: wgpu::DepthBiasState,
-) -> wgpu::RenderPipeline {
+/// The pipeline that draws casters into a map; bind group 0 holds a [`LightView`].
+pub(super) fn pipeline(gpu: &Gpu, slope_bias: f32) -> wgpu::RenderPipeline {
     let module = shader::wgsl(&gpu.device, "methods/shadow_map/map.wgsl");
     gpu.device
         .create_render_pipeline(&wgpu::RenderPipelineDescriptor {
@@ -64,9 +109,14 @@ pub(super) fn pipeline(
             depth_stencil: Some(wgpu::DepthStencilState {
                 format: FORMAT,
                 depth_write_enabled: Some(true),
-                depth_compare: Some(nearer),
+                depth_compare: Some(wgpu::CompareFunction::Greater),
                 stencil: wgpu::StencilState::default(),
-                bias,
+                // Nearer is larger, so what pushes away is negative.
+                bias: wgpu::DepthBiasState {
+                    constant: 0,
+                    slope_scale: -slope_bias,
+                    clamp: 0.0,
+                },
             }),
             multisample: wgpu::MultisampleState::default(),
             fragment: None,
@@ -75,11 +125,10 @@ pub(super) fn pipeline(
         })
 }
 
-/// Draws `objects` into one layer, over depth `far`; gives the number of draw calls.
+/// Draws `objects` into one layer; gives the number of draw calls.
 pub(super) fn draw(
     encoder: &mut wgpu::CommandEncoder,
     layer: &wgpu::TextureView,
-    far: f32,
     (pipeline, light): (&wgpu::RenderPipeline, &wgpu::BindGroup),
     scene: &SceneBuffers,
     objects: &[Range<u32>],
@@ -89,7 +138,7 @@ pub(super) fn draw(
         depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
             view: layer,
             depth_ops: Some(wgpu::Operations {
-                load: wgpu::LoadOp::Clear(far),
+                load: wgpu::LoadOp::Clear(0.0),
                 store: wgpu::StoreOp::Store,
             }),
             stencil_ops: None,

@@ -3,6 +3,7 @@
 use super::MethodInfo;
 use crate::metrics::Label;
 use serde::Serialize;
+use std::fmt;
 
 /// Something that a method cannot do or gets wrong, by design.
 #[derive(Debug, Clone, Serialize)]
@@ -15,8 +16,43 @@ pub struct Limit {
     pub fails: &'static [(&'static str, f64)],
     /// Kinds of error that it leaves in any scene.
     pub kinds: &'static [Label],
-    /// Most artifact pixels of a picture that it accounts for: few where single pixels are all it is about.
-    pub most_px: u64,
+    /// How much of a picture it accounts for.
+    pub at_most: Bound,
+}
+
+/// How many artifact pixels of a picture a limit accounts for: what is more must have another reason.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Bound {
+    /// So many, whatever the size of the picture: where single pixels are all that the limit is about.
+    Px(u64),
+    /// This share of the picture's pixels, 0 to 1.
+    Share(f64),
+    /// Any number: where the whole picture may be wrong by it.
+    All,
+}
+
+impl Bound {
+    /// Whether so many artifact pixels of a picture are within it.
+    pub fn holds(self, artifact_px: u64, picture_px: u64) -> bool {
+        match self {
+            Self::Px(most_px) => artifact_px <= most_px,
+            Self::Share(share) => artifact_px as f64 <= share * picture_px as f64,
+            Self::All => true,
+        }
+    }
+}
+
+impl fmt::Display for Bound {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Px(1) => write!(f, "1 artifact pixel"),
+            Self::Px(most_px) => write!(f, "{most_px} artifact pixels"),
+            // Rounded: 100 * 0.07 is 7.000000000000001.
+            Self::Share(share) => write!(f, "{} % of the picture", (1e6 * share).round() / 1e4),
+            Self::All => write!(f, "the whole picture"),
+        }
+    }
 }
 
 impl Limit {
@@ -27,7 +63,7 @@ impl Limit {
             with: &[],
             fails: &[],
             kinds: &[],
-            most_px: u64::MAX,
+            at_most: Bound::All,
         }
     }
 
@@ -49,12 +85,12 @@ impl Limit {
 
 /// What single precision cannot do, in any method.
 pub(super) const PRECISION_LIMIT: Limit = Limit {
-    text: "vertices become places on the screen in 32 bits: wrong where coordinates are 100,000 times what the \
-           picture shows",
+    text: "vertices become places on the screen in 32 bits: wrong where coordinates are a million times \
+           what the picture shows",
     with: &[],
-    fails: &[("translation", 5.0), ("large_triangles", 5.0)],
+    fails: &[("translation", 6.0), ("large_triangles", 6.0)],
     kinds: &[],
-    most_px: u64::MAX,
+    at_most: Bound::Share(0.2),
 };
 
 impl MethodInfo {
@@ -62,5 +98,30 @@ impl MethodInfo {
     pub fn limits_of(&self, variant: &str) -> impl Iterator<Item = &'static Limit> {
         let limits = self.limits.iter().copied().flatten();
         limits.filter(move |limit| limit.holds(variant))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn bounds_are_of_pixels_or_of_the_picture() {
+        assert!(Bound::Px(16).holds(16, 100) && !Bound::Px(16).holds(17, 1_000_000));
+        assert!(Bound::Share(0.07).holds(7, 100) && !Bound::Share(0.07).holds(8, 100));
+        assert!(Bound::All.holds(100, 100));
+        let words =
+            [Bound::Px(1), Bound::Px(16), Bound::Share(0.07), Bound::All].map(|b| b.to_string());
+        let expected = [
+            "1 artifact pixel",
+            "16 artifact pixels",
+            "7 % of the picture",
+            "the whole picture",
+        ];
+        assert_eq!(words, expected);
+        let json = |bound: Bound| serde_json::to_string(&bound).unwrap();
+        assert_eq!(json(Bound::Px(16)), r#"{"px":16}"#);
+        assert_eq!(json(Bound::Share(0.25)), r#"{"share":0.25}"#);
+        assert_eq!(json(Bound::All), r#""all""#);
     }
 }

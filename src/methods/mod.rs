@@ -20,7 +20,7 @@ mod triangle_ts;
 mod volume_parameters;
 mod volumes;
 
-pub use limit::Limit;
+pub use limit::{Bound, Limit};
 pub use parameters::ParameterError;
 pub use registry::{REGISTRY, Registration, find};
 

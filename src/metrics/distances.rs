@@ -19,7 +19,7 @@ const EDGE_FROM_CENTRE_PX: f64 = 0.5;
 #[derive(Clone, Debug)]
 pub struct EdgeDistances {
     /// By rows from the top; infinite where the picture has no edge.
-    distance_px: Vec<f32>,
+    distance_px: Vec<f64>,
 }
 
 impl EdgeDistances {
@@ -36,10 +36,10 @@ impl EdgeDistances {
         });
         let distance_px = if edges.iter().any(|&edge| edge != 0) {
             let squared = euclidean_squared_distance_transform(&edges);
-            let from_edge = |squared: &f64| (squared.sqrt() + EDGE_FROM_CENTRE_PX) as f32;
+            let from_edge = |squared: &f64| squared.sqrt() + EDGE_FROM_CENTRE_PX;
             squared.iter().map(from_edge).collect()
         } else {
-            vec![f32::INFINITY; truth.verdicts.len()]
+            vec![f64::INFINITY; truth.verdicts.len()]
         };
         Self { distance_px }
     }
@@ -48,7 +48,8 @@ impl EdgeDistances {
     pub(super) fn of(&self, pixel: usize) -> f64 {
         self.distance_px
             .get(pixel)
-            .map_or(f64::INFINITY, |&distance| f64::from(distance))
+            .copied()
+            .unwrap_or(f64::INFINITY)
     }
 }
 
@@ -81,14 +82,13 @@ impl MaskComparison<'_> {
         for (result, &distance_px) in self.results().iter().zip(&edges.distance_px) {
             let distance_px = match result.wrong_place() {
                 None => continue,
-                Some(Place::Boundary) => distance_px.min(EDGE_FROM_CENTRE_PX as f32),
+                Some(Place::Boundary) => distance_px.min(EDGE_FROM_CENTRE_PX),
                 Some(Place::Artifact) => distance_px,
             };
-            let class = DISTANCE_LIMITS_PX.partition_point(|&limit| (limit as f32) < distance_px);
+            let class = DISTANCE_LIMITS_PX.partition_point(|&limit| f64::from(limit) < distance_px);
             distances.classes[class] += 1;
             if distance_px.is_finite() {
-                let farthest = distances.max_px.unwrap_or(0.0).max(f64::from(distance_px));
-                distances.max_px = Some(farthest);
+                distances.max_px = Some(distances.max_px.unwrap_or(0.0).max(distance_px));
             }
         }
         distances
@@ -138,6 +138,11 @@ mod tests {
         // Three columns and four rows from the pixel beside the edge at (51, 6).
         mask[10 * 100 + 54] = 0;
         assert_eq!(distances(&truth, &mask, false).max_px, Some(5.5));
+        // A diagonal step: all digits are of 64 bits, none are those of a 32-bit number written out.
+        let mut mask = truth.to_grey();
+        mask[7 * 100 + 52] = 0;
+        let diagonal = 2f64.sqrt() + 0.5;
+        assert_eq!(distances(&truth, &mask, false).max_px, Some(diagonal));
     }
 
     #[test]

@@ -1,12 +1,14 @@
-//! Reference masks kept on disk: one 8-bit grey PNG a mask, named by what it was traced from.
+//! Reference masks kept on disk: one 8-bit grey PNG a mask, named by what it was traced from and sealed.
 
 use glam::Vec4;
 use std::fs::File;
 use std::io::BufReader;
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
+use std::time::SystemTime;
 
+use super::cache_folder::{Contents, MASK_SUFFIX, PREFIX};
 use super::{ReferenceMask, ReferenceView, Verdict};
-use crate::image::Image;
 use crate::output;
 
 /// Part of every key: raise it whenever a verdict may come out otherwise, so that masks traced by
@@ -48,18 +50,34 @@ impl CacheKey {
 
 /// A folder of reference masks, or none.
 ///
-/// It only ever saves time: a file that is missing, damaged or of another size is traced anew, and
+/// It only ever saves time: a file that is missing, damaged, or not of this key is traced anew, and
 /// a folder that cannot be written is no error.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct ReferenceCache {
     dir: Option<PathBuf>,
+    most_bytes: u64,
+    /// What is in the folder; known once a mask was written.
+    contents: Mutex<Option<Contents>>,
 }
 
 impl ReferenceCache {
+    /// What a folder holds at most unless told otherwise, in MiB.
+    pub const DEFAULT_MIB: u64 = 1024;
+
     /// A cache in `dir`, which need not exist yet; without one, nothing is kept.
     #[must_use]
     pub fn open(dir: Option<PathBuf>) -> Self {
-        Self { dir }
+        Self {
+            dir,
+            most_bytes: Self::DEFAULT_MIB << 20,
+            contents: Mutex::new(None),
+        }
+    }
+
+    /// The same with another bound on what the folder holds.
+    #[must_use]
+    pub fn with_most_bytes(self, most_bytes: u64) -> Self {
+        Self { most_bytes, ..self }
     }
 
     /// The mask kept under a key, or else the one that `trace` makes, which is then kept.
@@ -81,43 +99,90 @@ impl ReferenceCache {
     }
 
     fn load(&self, key: &CacheKey, view: &ReferenceView) -> Option<ReferenceMask> {
-        let mask = read_png(&self.path(key)?)?;
-        ((mask.width, mask.height) == (view.width, view.height)).then_some(mask)
+        let path = self.path(key)?;
+        let mut file = File::open(&path).ok()?;
+        let mask = read_png(&mut file, key, view)?;
+        // Those that are not used go first. Where this is not allowed, the time of writing has to do.
+        let _ = file.set_modified(SystemTime::now());
+        Some(mask)
     }
 
     fn store(&self, key: &CacheKey, mask: &ReferenceMask) {
-        let Some(path) = self.path(key) else { return };
-        if let Err(error) = write_png(&path, mask) {
+        let (Some(dir), Some(path)) = (&self.dir, self.path(key)) else {
+            return;
+        };
+        if let Err(error) = write_png(&path, key, mask) {
             log::debug!("reference mask not kept in {}: {error:#}", path.display());
+            return;
+        }
+        // A thread that panicked left numbers that are right or a little off, which is good enough.
+        let mut contents = self.contents.lock().unwrap_or_else(PoisonError::into_inner);
+        match contents.as_mut() {
+            Some(contents) => contents.add(&path),
+            None => *contents = Some(Contents::scan(dir)),
+        }
+        if let Some(contents) = contents.as_mut() {
+            contents.shrink_to(self.most_bytes);
         }
     }
 
     fn path(&self, key: &CacheKey) -> Option<PathBuf> {
-        Some(self.dir.as_ref()?.join(format!("{}.png", key.0.to_hex())))
+        let name = format!("{PREFIX}{}{MASK_SUFFIX}", key.0.to_hex());
+        Some(self.dir.as_ref()?.join(name))
     }
 }
 
-fn read_png(path: &Path) -> Option<ReferenceMask> {
-    let mut reader = png::Decoder::new(BufReader::new(File::open(path).ok()?))
-        .read_info()
-        .ok()?;
+/// The text chunk that holds [`seal`].
+const SEAL: &str = "svbench seal";
+
+/// What a file says of itself, to be believed: a hash over the key and all verdicts.
+fn seal(key: &CacheKey, (width, height): (u32, u32), bytes: &[u8]) -> String {
+    let mut hasher = blake3::Hasher::new();
+    hasher.update(key.0.as_bytes());
+    hasher.update(&width.to_le_bytes());
+    hasher.update(&height.to_le_bytes());
+    hasher.update(bytes);
+    hasher.finalize().to_hex().to_string()
+}
+
+fn read_png(file: &mut File, key: &CacheKey, view: &ReferenceView) -> Option<ReferenceMask> {
+    let mut reader = png::Decoder::new(BufReader::new(file)).read_info().ok()?;
+    let info = reader.info();
+    let size = (info.width, info.height);
+    // Before there is any room for the picture: a damaged file may say that it is huge.
+    if size != (view.width, view.height)
+        || (info.color_type, info.bit_depth) != (png::ColorType::Grayscale, png::BitDepth::Eight)
+    {
+        return None;
+    }
+    let texts = &info.uncompressed_latin1_text;
+    let sealed = texts.iter().find(|text| text.keyword == SEAL)?.text.clone();
     let mut bytes = vec![0; reader.output_buffer_size()?];
-    let info = reader.next_frame(&mut bytes).ok()?;
-    if (info.color_type, info.bit_depth) != (png::ColorType::Grayscale, png::BitDepth::Eight) {
+    reader.next_frame(&mut bytes).ok()?;
+    if sealed != seal(key, size, &bytes) {
         return None;
     }
     let verdicts = bytes
         .into_iter()
         .map(to_verdict)
         .collect::<Option<Vec<_>>>()?;
-    ReferenceMask::new(info.width, info.height, verdicts).ok()
+    ReferenceMask::new(size.0, size.1, verdicts).ok()
 }
 
 /// Writes beside the file and renames, so that no reader ever meets half a file.
-fn write_png(path: &Path, mask: &ReferenceMask) -> anyhow::Result<()> {
+fn write_png(path: &Path, key: &CacheKey, mask: &ReferenceMask) -> anyhow::Result<()> {
     output::create_dir_all(path.parent().unwrap_or(Path::new(".")))?;
+    let size = (mask.width, mask.height);
     let bytes: Vec<u8> = mask.verdicts.iter().copied().map(to_byte).collect();
-    Image::grey((mask.width, mask.height), &bytes).write_png(path)
+    output::write_with(path, |file| {
+        let mut encoder = png::Encoder::new(file, size.0, size.1);
+        encoder.set_color(png::ColorType::Grayscale);
+        encoder.set_depth(png::BitDepth::Eight);
+        encoder.add_text_chunk(SEAL.to_owned(), seal(key, size, &bytes))?;
+        let mut encoder = encoder.write_header()?;
+        encoder.write_image_data(&bytes)?;
+        Ok(encoder.finish()?)
+    })
 }
 
 /// Unlike [`ReferenceMask::to_grey`], tells the background from what is lit.
@@ -141,99 +206,5 @@ fn to_verdict(byte: u8) -> Option<Verdict> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use glam::Mat4;
-    use std::convert::Infallible;
-
-    const VIEW: ReferenceView = ReferenceView {
-        width: 2,
-        height: 2,
-        view_projection: Mat4::IDENTITY,
-    };
-    const IDS: [u32; 4] = [0, 1, 2, 3];
-
-    fn key() -> CacheKey {
-        CacheKey::new("scene", Vec4::ONE, &VIEW, &IDS)
-    }
-
-    fn mask() -> ReferenceMask {
-        let verdicts = vec![
-            Verdict::Background,
-            Verdict::Lit,
-            Verdict::Shadowed,
-            Verdict::Ambiguous,
-        ];
-        ReferenceMask::new(2, 2, verdicts).unwrap()
-    }
-
-    /// Asks for the mask, and says whether it had to be traced.
-    fn ask(cache: &ReferenceCache) -> bool {
-        let mut traced = false;
-        let found = cache.get_or_trace(&key(), &VIEW, || {
-            traced = true;
-            Ok::<_, Infallible>(mask())
-        });
-        assert_eq!(found.unwrap(), mask());
-        traced
-    }
-
-    #[test]
-    fn a_mask_is_traced_once() {
-        let dir = tempfile::tempdir().unwrap();
-        let cache = ReferenceCache::open(Some(dir.path().join("new")));
-        assert!(ask(&cache));
-        assert!(!ask(&cache));
-        assert_eq!(
-            std::fs::read_dir(dir.path().join("new")).unwrap().count(),
-            1
-        );
-    }
-
-    #[test]
-    fn a_damaged_file_is_traced_anew_and_replaced() {
-        let dir = tempfile::tempdir().unwrap();
-        let cache = ReferenceCache::open(Some(dir.path().into()));
-        ask(&cache);
-        let path = cache.path(&key()).unwrap();
-        let whole = std::fs::read(&path).unwrap();
-        let other_size = ReferenceMask::new(1, 1, vec![Verdict::Lit]).unwrap();
-        for damage in [&whole[..whole.len() / 2], b"no picture", b""] {
-            std::fs::write(&path, damage).unwrap();
-            assert!(ask(&cache));
-            assert!(!ask(&cache));
-        }
-        write_png(&path, &other_size).unwrap();
-        assert!(ask(&cache));
-        assert_eq!(std::fs::read(&path).unwrap(), whole);
-    }
-
-    #[test]
-    fn no_folder_or_one_that_cannot_be_made_is_no_error() {
-        let dir = tempfile::tempdir().unwrap();
-        let file = dir.path().join("file");
-        std::fs::write(&file, "").unwrap();
-        for dir in [None, Some(file.join("below"))] {
-            let cache = ReferenceCache::open(dir);
-            assert!(ask(&cache));
-            assert!(ask(&cache));
-        }
-    }
-
-    #[test]
-    fn all_that_a_mask_depends_on_is_in_its_key() {
-        let view = ReferenceView { height: 3, ..VIEW };
-        let moved = ReferenceView {
-            view_projection: Mat4::from_scale(2.0 * glam::Vec3::ONE),
-            ..VIEW
-        };
-        let others = [
-            CacheKey::new("scene2", Vec4::ONE, &VIEW, &IDS),
-            CacheKey::new("scene", Vec4::X, &VIEW, &IDS),
-            CacheKey::new("scene", Vec4::ONE, &view, &IDS),
-            CacheKey::new("scene", Vec4::ONE, &moved, &IDS),
-            CacheKey::new("scene", Vec4::ONE, &VIEW, &[0, 1, 2, 4]),
-        ];
-        assert!(others.iter().all(|other| *other != key()));
-    }
-}
+#[path = "cache_tests.rs"]
+mod tests;

@@ -16,6 +16,7 @@
 mod around;
 mod boundary;
 mod cache;
+mod cache_folder;
 mod contact;
 mod evidence;
 mod grid;

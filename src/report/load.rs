@@ -170,6 +170,22 @@ impl Run {
         rows
     }
 
+    /// Why nothing of a scene was measured, if one reason says it for all methods: said once, not in every row.
+    pub fn absence(&self, scene: &str) -> Option<(Status, &str)> {
+        let mut rows = self.summaries.iter().filter(|row| row.scene == scene);
+        let Some(first) = rows.next() else {
+            let record = self
+                .info
+                .scenes
+                .iter()
+                .find(|record| record.name == scene)?;
+            return Some((record.status, record.reason.as_str()));
+        };
+        let is_alike = |row: &Summary| (row.status, &row.reason) == (first.status, &first.reason);
+        (first.is_absent() && rows.all(|row| row.is_absent() && is_alike(row)))
+            .then_some((first.status, first.reason.as_str()))
+    }
+
     /// The samples that a row sums up.
     pub fn samples_of<'a>(&'a self, row: &'a Summary) -> impl Iterator<Item = &'a Sample> {
         self.samples.iter().filter(|sample| is_of(sample, row))

@@ -30,8 +30,17 @@ pub fn markdown(run: &Run) -> String {
     let mut rows: Vec<Vec<String>> = vec![HEAD.map(str::to_owned).to_vec()];
     for scene in run.scenes() {
         let summaries = run.rows(scene);
-        rows.push(group(run, scene, summaries.first().copied()));
-        rows.extend(summaries.iter().map(|summary| row(run, summary)));
+        let mut group = group(run, scene, summaries.first().copied());
+        match run.absence(scene) {
+            Some((status, reason)) => {
+                group[HEAD.len() - 1] = format!("{}: {}", status.word(), escape(reason));
+                rows.push(group);
+            }
+            None => {
+                rows.push(group);
+                rows.extend(summaries.iter().map(|summary| row(run, summary)));
+            }
+        }
     }
     if run.summaries.is_empty() {
         return "Nothing was measured.\n".to_owned();

@@ -55,6 +55,65 @@ fn the_table_groups_by_scene_and_shows_times_errors_and_reasons() {
     assert!(widths.iter().all(|width| *width == widths[0]), "{table}");
 }
 
+/// A run of five methods, one with many parameters, for whose scene `sponza` there is no model.
+fn run_without_a_model() -> (TempDir, &'static str) {
+    let dir = tempfile::tempdir().unwrap();
+    let mut info = info(&["grid_n10", "sponza"], &["silhouette_ts", "triangle_gs"]);
+    info.methods[1].variant = "counting=z_pass,determinism=none".to_owned();
+    let reason = "the model crytek_sponza.obj is in none of the places searched: scenes/models";
+    info.scenes[1].status = Status::Skipped;
+    info.scenes[1].reason = reason.to_owned();
+    let (mut all, mut summaries) = (Vec::new(), Vec::new());
+    for method in &info.methods {
+        let mut measured = cell(&info, "grid_n10", &method.id, 1000);
+        measured.variant = method.variant.clone();
+        let own = samples(&measured, 2.0);
+        let errors = [FrameError::default()];
+        summaries.push(Summary::from_samples(
+            &measured,
+            &own,
+            &errors,
+            Status::Ok,
+            "",
+        ));
+        all.extend(own);
+        let mut skipped = cell(&info, "sponza", &method.id, 0);
+        skipped.variant = method.variant.clone();
+        summaries.push(Summary::from_samples(
+            &skipped,
+            &[],
+            &[],
+            Status::Skipped,
+            reason,
+        ));
+    }
+    write_run(dir.path(), &info, &all, &summaries);
+    (dir, reason)
+}
+
+#[test]
+fn why_a_scene_was_skipped_is_said_once() {
+    let (dir, reason) = run_without_a_model();
+    let table = table::markdown(&Run::read(dir.path()).unwrap());
+    let group = table
+        .lines()
+        .find(|line| line.contains("**sponza**"))
+        .unwrap();
+    assert!(
+        group.ends_with(&format!("| skipped: {reason} |")),
+        "{table}"
+    );
+    assert_eq!(table.matches(reason).count(), 1, "{table}");
+    assert_eq!(table.matches("silhouette_ts").count(), 1, "{table}");
+    let page = html_of(&dir);
+    let (_, results) = page.split_once("<section id=\"results\"").unwrap();
+    let (results, _) = results.split_once("</table>").unwrap();
+    assert_eq!(results.matches(reason).count(), 1);
+    assert_eq!(results.matches(">silhouette_ts<").count(), 1);
+    // Variants break between parameters, names of methods nowhere.
+    assert!(results.contains("counting=z_pass,<wbr>determinism=none<wbr>"));
+}
+
 #[test]
 fn the_page_holds_every_figure_of_the_summary() {
     let dir = made_up_run();

@@ -1,7 +1,7 @@
 //! Whether a picture is a failure, and one that its method declares.
 
 use super::trial::Drawn;
-use crate::methods::{Limit, ShadowMethod};
+use crate::methods::{Bound, Limit, ShadowMethod};
 use crate::metrics::Region;
 
 /// A value of a cause of the corpus.
@@ -18,36 +18,58 @@ pub enum Finding {
     Undeclared,
 }
 
+/// What a picture is judged by.
+struct Picture<'a> {
+    px: u64,
+    artifact_px: u64,
+    regions: &'a [Region],
+}
+
 impl Finding {
     /// Judges a picture that `method` drew, for a cause or of any scene.
     pub fn of(method: &dyn ShadowMethod, cause: Option<CauseValue<'_>>, drawn: &Drawn) -> Self {
-        let (info, variant) = (method.info(), method.variant());
-        let judgement = &drawn.judgement;
-        let tolerated_px = info.tolerated_share * drawn.mask.len() as f64;
-        let is_right = |artifact_px: u64| artifact_px as f64 <= tolerated_px;
-        let artifact_px = judgement.error.artifact_px;
-        if is_right(artifact_px) {
+        let (info, judgement) = (method.info(), &drawn.judgement);
+        let limits: Vec<_> = info.limits_of(&method.variant()).collect();
+        let picture = Picture {
+            px: drawn.mask.len() as u64,
+            artifact_px: judgement.error.artifact_px,
+            regions: &judgement.analysis.regions,
+        };
+        Self::judge(&picture, info.tolerated_share, &limits, cause)
+    }
+
+    fn judge(
+        picture: &Picture<'_>,
+        tolerated_share: f64,
+        limits: &[&'static Limit],
+        cause: Option<CauseValue<'_>>,
+    ) -> Self {
+        let tolerated = Bound::Share(tolerated_share);
+        if tolerated.holds(picture.artifact_px, picture.px) {
             return Self::Right;
         }
-        let limits = || {
-            let limits = info.limits_of(&variant);
-            limits.filter(|limit| artifact_px <= limit.most_px)
-        };
         let for_cause = cause.and_then(|(cause, value)| {
-            let covers = |limit: &&'static Limit| limit.covers(cause, value);
-            limits().find(covers)
+            let covers = |limit: &&&Limit| {
+                limit.covers(cause, value) && limit.at_most.holds(picture.artifact_px, picture.px)
+            };
+            limits.iter().find(covers)
         });
         if let Some(limit) = for_cause {
             return Self::Declared(limit);
         }
-        // By kind: all but what is tolerated must be of kinds that some limit names.
-        let regions = &judgement.analysis.regions;
-        let of_limit = |region: &Region| limits().find(|limit| limit.kinds.contains(&region.label));
-        let left = regions.iter().filter(|region| of_limit(region).is_none());
-        match regions.iter().find_map(of_limit) {
-            Some(limit) if is_right(left.map(|region| region.size_px).sum()) => {
-                Self::Declared(limit)
+        // By kind: all but what is tolerated must be of kinds that limits name, and within their bounds.
+        let mut left: Vec<&Region> = picture.regions.iter().collect();
+        let mut first = None;
+        for &limit in limits {
+            let is_of_it = |region: &&Region| limit.kinds.contains(&region.label);
+            let (of_it, others) = left.iter().copied().partition::<Vec<_>, _>(is_of_it);
+            if !of_it.is_empty() && limit.at_most.holds(size_px(&of_it), picture.px) {
+                first = first.or(Some(limit));
+                left = others;
             }
+        }
+        match first {
+            Some(limit) if tolerated.holds(size_px(&left), picture.px) => Self::Declared(limit),
             _ => Self::Undeclared,
         }
     }
@@ -62,10 +84,121 @@ impl Finding {
     }
 }
 
+/// Pixels of some regions together.
+fn size_px(regions: &[&Region]) -> u64 {
+    regions.iter().map(|region| region.size_px).sum()
+}
+
 #[cfg(test)]
 mod tests {
+    use super::*;
     use crate::methods::REGISTRY;
+    use crate::metrics::{Label, Sign};
     use crate::stress::corpus;
+
+    const PICTURE_PX: u64 = 10_000;
+    const SPECKS: Limit = Limit {
+        text: "specks",
+        with: &[],
+        fails: &[("fan", 3.0)],
+        kinds: &[Label::Seam],
+        at_most: Bound::Px(5),
+    };
+    const SHARE: Limit = Limit {
+        text: "a share",
+        with: &[],
+        fails: &[],
+        kinds: &[Label::Acne, Label::Staircase],
+        at_most: Bound::Share(0.01),
+    };
+    const EVERYTHING: Limit = Limit {
+        text: "everything",
+        with: &[],
+        fails: &[],
+        kinds: &[Label::Overflow],
+        at_most: Bound::All,
+    };
+
+    /// The limit that declares such errors; `Err` with the word where there is none.
+    fn verdict(
+        errors: &[(Label, u64)],
+        tolerated_share: f64,
+        cause: Option<CauseValue<'_>>,
+    ) -> Result<&'static str, &'static str> {
+        let region = |&(label, size_px): &(Label, u64)| Region {
+            sign: Sign::FalseShadowed,
+            label,
+            size_px,
+            left: 0,
+            top: 0,
+            right: 0,
+            bottom: 0,
+        };
+        let regions: Vec<_> = errors.iter().map(region).collect();
+        let picture = Picture {
+            px: PICTURE_PX,
+            artifact_px: errors.iter().map(|(_, px)| px).sum(),
+            regions: &regions,
+        };
+        let limits = [&SPECKS, &SHARE, &EVERYTHING];
+        match Finding::judge(&picture, tolerated_share, &limits, cause) {
+            Finding::Declared(limit) => Ok(limit.text),
+            other => Err(other.word()),
+        }
+    }
+
+    #[test]
+    fn a_limit_accounts_for_its_kinds_up_to_its_bound() {
+        let of = |errors: &[(Label, u64)]| verdict(errors, 0.0, None);
+        assert_eq!(of(&[]), Err("right"));
+        assert_eq!(of(&[(Label::Seam, 5)]), Ok("specks"));
+        assert_eq!(of(&[(Label::Seam, 3), (Label::Seam, 3)]), Err("undeclared"));
+        assert_eq!(
+            of(&[(Label::Acne, 60), (Label::Staircase, 40)]),
+            Ok("a share")
+        );
+        assert_eq!(
+            of(&[(Label::Acne, 60), (Label::Staircase, 41)]),
+            Err("undeclared")
+        );
+        assert_eq!(of(&[(Label::Overflow, PICTURE_PX)]), Ok("everything"));
+        assert_eq!(of(&[(Label::Unlabelled, 1)]), Err("undeclared"));
+    }
+
+    #[test]
+    fn limits_account_for_a_picture_together() {
+        let of = |errors: &[(Label, u64)]| verdict(errors, 0.0, None);
+        assert_eq!(
+            of(&[(Label::Overflow, 900), (Label::Seam, 5)]),
+            Ok("specks")
+        );
+        assert_eq!(
+            of(&[(Label::Overflow, 900), (Label::Seam, 6)]),
+            Err("undeclared")
+        );
+    }
+
+    #[test]
+    fn what_is_tolerated_may_be_of_any_kind() {
+        let of = |errors: &[(Label, u64)]| verdict(errors, 0.002, None);
+        assert_eq!(of(&[(Label::Unlabelled, 20)]), Err("right"));
+        assert_eq!(
+            of(&[(Label::Unlabelled, 20), (Label::Acne, 100)]),
+            Ok("a share")
+        );
+        assert_eq!(
+            of(&[(Label::Unlabelled, 21), (Label::Acne, 100)]),
+            Err("undeclared")
+        );
+    }
+
+    #[test]
+    fn a_limit_accounts_for_its_causes_up_to_its_bound() {
+        let of = |errors: &[(Label, u64)], value| verdict(errors, 0.0, Some(("fan", value)));
+        assert_eq!(of(&[(Label::Unlabelled, 5)], 3.0), Ok("specks"));
+        assert_eq!(of(&[(Label::Unlabelled, 6)], 3.0), Err("undeclared"));
+        assert_eq!(of(&[(Label::Unlabelled, 5)], 2.0), Err("undeclared"));
+    }
 
     #[test]
     fn limits_name_causes_that_there_are_at_values_that_are_tried() {

@@ -115,15 +115,39 @@ pub struct StressMethod {
     pub variant: String,
     /// The part of the picture that may be wrong before that is a failure.
     pub tolerated_share: f64,
+    /// The causes that its limits say bring it down.
+    #[serde(default)]
+    pub declared: Vec<DeclaredCause>,
+}
+
+/// A cause that a limit of a method names.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct DeclaredCause {
+    /// Id of the cause.
+    pub cause: String,
+    /// The value from which on the method is said to fail.
+    pub from: f64,
+    /// The limit.
+    pub limit: String,
 }
 
 impl StressMethod {
     /// What results say of a method.
     pub fn of(method: &dyn ShadowMethod) -> Self {
+        let variant = method.variant();
+        let declared = method.info().limits_of(&variant).flat_map(|limit| {
+            let declared = |(cause, from): &(&str, f64)| DeclaredCause {
+                cause: (*cause).to_owned(),
+                from: *from,
+                limit: limit.text.to_owned(),
+            };
+            limit.fails.iter().map(declared)
+        });
         Self {
             id: method.info().id.to_owned(),
-            variant: method.variant(),
+            declared: declared.collect(),
             tolerated_share: method.info().tolerated_share,
+            variant,
         }
     }
 

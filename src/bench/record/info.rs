@@ -203,6 +203,11 @@ pub enum Status {
 }
 
 impl Status {
+    /// Whether it says that there was nothing to measure, or that measuring it broke.
+    pub fn is_absent(self) -> bool {
+        matches!(self, Self::Skipped | Self::Unavailable | Self::Failed)
+    }
+
     /// The word used in the result rows.
     pub fn word(self) -> &'static str {
         match self {

@@ -151,6 +151,11 @@ pub struct Summary {
 }
 
 impl Summary {
+    /// Whether nothing of it was measured, for the reason that it gives.
+    pub fn is_absent(&self) -> bool {
+        self.status.is_absent() && self.frames == 0
+    }
+
     /// Sums up the measured and the verified frames of one cell.
     pub fn from_samples(
         cell: &Cell,

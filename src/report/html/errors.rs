@@ -3,6 +3,7 @@
 use maud::{Markup, html};
 
 use super::or_dash;
+use super::results::breakable;
 use crate::bench::record::{RegionRow, Summary, pairs_from_text};
 use crate::report::format::{count, px_per_frame};
 use crate::report::load::Run;
@@ -104,7 +105,7 @@ fn row(run: &Run, row: &Summary) -> Markup {
         tr {
             th.method scope="row" {
                 code { (contender.method) }
-                @if !contender.variant.is_empty() { " " span.quiet { (contender.variant) } }
+                @if !contender.variant.is_empty() { " " span.quiet { (breakable(&contender.variant)) } }
             }
             td { (px(wrong)) }
             td { (px(row.false_lit)) }
@@ -217,7 +218,7 @@ fn region_row(region: &RegionRow) -> Markup {
     html! {
         tr {
             th.method scope="row" {
-                code { (region.method) } " " span.quiet { (region.variant) }
+                code { (region.method) } " " span.quiet { (breakable(&region.variant)) }
             }
             td { (region.frame) }
             td { (count(region.size_px)) }

@@ -1,9 +1,9 @@
 //! The results: the table that one reads, then all the figures behind it.
 
-use maud::{Markup, html};
+use maud::{Markup, PreEscaped, html};
 
 use super::or_dash;
-use crate::bench::record::{Status, Summary, pairs_from_text};
+use crate::bench::record::{Summary, pairs_from_text};
 use crate::bench::statistics::median;
 use crate::report::format::{count, fps, ms, px_per_frame};
 use crate::report::load::Run;
@@ -58,7 +58,15 @@ fn table(run: &Run) -> Markup {
                 @for scene in run.scenes() {
                     tbody {
                         (scene_row(run, scene))
-                        @for summary in run.rows(scene) { (row(run, summary)) }
+                        @match run.absence(scene) {
+                            Some((status, reason)) => {
+                                tr.absent {
+                                    td.text.why colspan="10" { (reason) }
+                                    td.text { span class={ "status " (status.word()) } { (status.word()) } }
+                                }
+                            }
+                            None => @for summary in run.rows(scene) { (row(run, summary)) },
+                        }
                     }
                 }
             }
@@ -83,10 +91,6 @@ fn scene_row(run: &Run, scene: &str) -> Markup {
                     span.quiet {
                         @if let Some(triangles) = triangles { " " (count(triangles)) " triangles" }
                         @if let Some(objects) = objects { " · " (count(objects)) " objects" }
-                        // Where there are rows, they carry the reason.
-                        @if let (None, Some(record)) = (first, record) {
-                            " " (record.status.word()) ": " (record.reason)
-                        }
                     }
                 }
             }
@@ -96,17 +100,13 @@ fn scene_row(run: &Run, scene: &str) -> Markup {
 
 fn row(run: &Run, row: &Summary) -> Markup {
     let contender = run.contender(row);
-    let absent = matches!(
-        row.status,
-        Status::Skipped | Status::Unavailable | Status::Failed
-    );
     html! {
-        tr.absent[absent] {
+        tr.absent[row.status.is_absent()] {
             th.method scope="row" {
                 code { (contender.method) }
-                @if !contender.variant.is_empty() { " " span.quiet { (contender.variant) } }
+                @if !contender.variant.is_empty() { " " span.quiet { (breakable(&contender.variant)) } }
             }
-            @if absent && row.frames == 0 {
+            @if row.is_absent() {
                 td.text.why colspan="9" { (row.reason) }
             } @else {
                 (number(row.fps.map(fps)))
@@ -129,6 +129,13 @@ fn row(run: &Run, row: &Summary) -> Markup {
         @if row.frames > 0 && !row.reason.is_empty() {
             tr.remark { td.text.why colspan="11" { (row.reason) } }
         }
+    }
+}
+
+/// A variant that may break between two parameters.
+pub(super) fn breakable(variant: &str) -> Markup {
+    html! {
+        @for part in variant.split_inclusive(',') { (part) (PreEscaped("<wbr>")) }
     }
 }
 

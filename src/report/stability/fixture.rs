@@ -27,6 +27,7 @@ fn method(id: &str, variant: &str) -> StressMethod {
         id: id.to_owned(),
         variant: variant.to_owned(),
         tolerated_share: 0.0,
+        declared: Vec::new(),
     }
 }
 

@@ -1,7 +1,7 @@
 //! Causes against methods: where each method begins to fail.
 
 use super::StressRun;
-use crate::stress::record::{CauseRecord, Outcome, StressMethod, StressRow};
+use crate::stress::record::{CauseRecord, DeclaredCause, Outcome, StressMethod, StressRow};
 
 /// A row a cause, a column a method.
 #[derive(Debug, Clone)]
@@ -51,6 +51,20 @@ pub struct Failure<'a> {
     pub worst: &'a StressRow,
     /// The first failure that no limit declares.
     pub undeclared: Option<&'a StressRow>,
+}
+
+/// A failure that a method declares and that did not come: the picture at the first value tried from there on
+/// is right.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Unseen<'a> {
+    /// The method.
+    pub method: &'a StressMethod,
+    /// What it declares.
+    pub declared: &'a DeclaredCause,
+    /// The value tried at which it is right.
+    pub value: f64,
+    /// The first larger value at which it does fail, if at any.
+    pub seen_at: Option<f64>,
 }
 
 /// How many pictures came out how.
@@ -157,6 +171,38 @@ impl StressRun {
         let mut rows: Vec<&StressRow> = self.rows.iter().filter(is_of).collect();
         rows.sort_by(|one, other| one.value.total_cmp(&other.value));
         rows
+    }
+
+    /// What methods declare and this run has not seen where they say: the limit may be gone, or begin later.
+    pub fn unseen(&self) -> Vec<Unseen<'_>> {
+        let of = |method| {
+            let unseen = |declared| self.unseen_by(method, declared);
+            let declared: &[DeclaredCause] = &method.declared;
+            declared.iter().filter_map(unseen).collect::<Vec<_>>()
+        };
+        let methods: &[StressMethod] = &self.info.methods;
+        methods.iter().flat_map(of).collect()
+    }
+
+    fn unseen_by<'a>(
+        &'a self,
+        method: &'a StressMethod,
+        declared: &'a DeclaredCause,
+    ) -> Option<Unseen<'a>> {
+        let cause = self
+            .info
+            .causes
+            .iter()
+            .find(|cause| cause.id == declared.cause)?;
+        let rows = self.rows_of(cause, method);
+        let mut rows = rows.iter().filter(|row| row.value >= declared.from);
+        let first = rows.next()?;
+        (first.outcome == Outcome::Right).then(|| Unseen {
+            method,
+            declared,
+            value: first.value,
+            seen_at: rows.find(|row| is_failure(row)).map(|row| row.value),
+        })
     }
 
     /// How many pictures came out how.

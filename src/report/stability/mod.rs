@@ -13,7 +13,7 @@ mod matrix;
 mod text;
 
 pub use load::StressRun;
-pub use matrix::{Cell, Counts, Failure, Line, Matrix};
+pub use matrix::{Cell, Counts, Failure, Line, Matrix, Unseen};
 
 /// Name of the Markdown matrix in the directory of a stress run.
 pub const MATRIX_FILE: &str = "matrix.md";

@@ -1,7 +1,7 @@
 use super::fixture::{info, rows, write, write_picture};
 use super::{Counts, MATRIX_FILE, StressRun, write_stability};
 use crate::report::{HTML_FILE, LegendEntry};
-use crate::stress::record::{ROWS_FILE, STRESS_FILE, StressInfo, StressMethod};
+use crate::stress::record::{DeclaredCause, ROWS_FILE, STRESS_FILE, StressInfo, StressMethod};
 use std::fs;
 use tempfile::TempDir;
 
@@ -72,6 +72,45 @@ fn the_matrix_as_markdown() {
 }
 
 #[test]
+fn what_is_declared_and_does_not_show_is_told() {
+    let declare = |cause: &str, from| DeclaredCause {
+        cause: cause.to_owned(),
+        from,
+        limit: "<shaky>".to_owned(),
+    };
+    let mut info = info();
+    // Right at 1, wrong at 257; wrong at once; right at all values; not tried from there on.
+    info.methods[0].declared = vec![
+        declare("duplicated", 1.0),
+        declare("needles", 1e-6),
+        declare("calm", 0.0),
+        declare("calm", 0.5),
+        declare("no such cause", 0.0),
+    ];
+    // Unavailable is no sign of anything.
+    info.methods[2].declared = vec![declare("calm", 0.0)];
+    let room = room_of(&info);
+    let name = "triangle_ts,counting=z_pass,determinism=none";
+    let lines = [
+        format!("{name}: duplicated from 1, but right at 1, wrong from 257"),
+        format!("{name}: calm from 0, but right at 0, and at every later value"),
+    ];
+    let run = StressRun::read(room.path()).unwrap();
+    let text = run.matrix_text();
+    assert_eq!(text.matches("declared, not seen: ").count(), 2, "{text}");
+    let page = page(&room);
+    let markdown = fs::read_to_string(room.path().join(MATRIX_FILE)).unwrap();
+    for line in lines {
+        assert!(
+            text.contains(&format!("declared, not seen: {line}\n")),
+            "{text}"
+        );
+        assert!(markdown.contains(&format!("- {line}\n")), "{markdown}");
+    }
+    assert_eq!(page.matches("&lt;shaky&gt;").count(), 2);
+}
+
+#[test]
 fn undeclared_failures_are_counted() {
     let run = StressRun::read(room().path()).unwrap();
     assert_eq!(run.undeclared(), 2);
@@ -93,6 +132,7 @@ fn many_methods_make_several_narrow_blocks() {
             id: format!("method_{index}"),
             variant: String::new(),
             tolerated_share: 0.0,
+            declared: Vec::new(),
         })
         .collect();
     let run = StressRun::read(room_of(&info).path()).unwrap();

@@ -1,6 +1,6 @@
 //! The matrix for a terminal and as Markdown.
 
-use super::{Cell, Failure, Line, Matrix, StressRun};
+use super::{Cell, Failure, Line, Matrix, StressRun, Unseen};
 use crate::report::format::{count, short};
 use crate::report::markdown::{align, escape};
 
@@ -26,6 +26,9 @@ impl StressRun {
             text.push_str(&format!("{:>digits$}{GAP}{}\n", index + 1, method.name()));
         }
         text.push_str(&format!("\n{}\n{}\n", legend(&rows), self.tally()));
+        for unseen in self.unseen() {
+            text.push_str(&format!("declared, not seen: {}\n", unseen.words()));
+        }
         text
     }
 
@@ -40,12 +43,20 @@ impl StressRun {
             row.extend(line.cells.iter().map(markdown_cell));
             rows.push(row);
         }
-        format!(
+        let mut text = format!(
             "# {}\n\n{}\n{NOTES}\n\n{}\n",
             escape(self.title()),
             align(&rows, &[0, 1]),
             self.tally()
-        )
+        );
+        let unseen = self.unseen();
+        if !unseen.is_empty() {
+            text.push_str("\n## Declared, not seen\n\n");
+        }
+        for unseen in unseen {
+            text.push_str(&format!("- {}\n", escape(&unseen.words())));
+        }
+        text
     }
 
     /// What the run is about.
@@ -76,6 +87,29 @@ impl StressRun {
             of(counts.declared),
             of(counts.undeclared),
             of(counts.unavailable)
+        )
+    }
+}
+
+impl Unseen<'_> {
+    /// In a line.
+    fn words(&self) -> String {
+        let Self {
+            method,
+            declared,
+            value,
+            seen_at,
+        } = self;
+        let then = match seen_at {
+            Some(value) => format!("wrong from {}", short(*value)),
+            None => "and at every later value".to_owned(),
+        };
+        format!(
+            "{}: {} from {}, but right at {}, {then}",
+            method.name(),
+            declared.cause,
+            short(declared.from),
+            short(*value),
         )
     }
 }

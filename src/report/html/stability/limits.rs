@@ -1,7 +1,7 @@
 //! The limits that were hit, and why methods were unavailable.
 
-use crate::report::format::count;
-use crate::report::stability::StressRun;
+use crate::report::format::{count, short};
+use crate::report::stability::{StressRun, Unseen};
 use crate::stress::record::{Outcome, StressRow};
 use maud::{Markup, html};
 
@@ -17,7 +17,8 @@ struct Reason<'a> {
 pub(super) fn section(run: &StressRun) -> Option<Markup> {
     let limits = reasons(run, Outcome::Declared);
     let absences = reasons(run, Outcome::Unavailable);
-    if limits.is_empty() && absences.is_empty() {
+    let unseen = run.unseen();
+    if limits.is_empty() && absences.is_empty() && unseen.is_empty() {
         return None;
     }
     Some(html! {
@@ -26,6 +27,14 @@ pub(super) fn section(run: &StressRun) -> Option<Markup> {
             @if !limits.is_empty() {
                 p.note { "What methods declare that they cannot do, and this run has seen." }
                 (table("Limit", &limits))
+            }
+            @if !unseen.is_empty() {
+                h3 { "Declared, not seen" }
+                p.note {
+                    "What methods declare and this run has not seen at the value that they name. No failure, but "
+                    "a limit that may be gone, or begin later."
+                }
+                (unseen_table(&unseen))
             }
             @if !absences.is_empty() {
                 h3 { "Unavailable" }
@@ -66,6 +75,35 @@ impl<'a> Reason<'a> {
             self.causes.push(&row.cause);
         }
         self.pictures += 1;
+    }
+}
+
+fn unseen_table(unseen: &[Unseen<'_>]) -> Markup {
+    html! {
+        div.scroll tabindex="0" role="region" aria-label="Declared, not seen" {
+            table.limits {
+                thead { tr {
+                    th.text scope="col" { "Limit" }
+                    th.text scope="col" { "Method" }
+                    th.text scope="col" { "Cause" }
+                    th scope="col" { "Declared from" }
+                    th scope="col" { "Right at" }
+                    th scope="col" { "Wrong from" }
+                } }
+                tbody {
+                    @for Unseen { method, declared, value, seen_at } in unseen {
+                        tr {
+                            td.text { (declared.limit) }
+                            td.text { code { (method.name()) } }
+                            td.text { a href={ "#cause-" (declared.cause) } { (declared.cause) } }
+                            td { (short(declared.from)) }
+                            td { (short(*value)) }
+                            td { @match seen_at { Some(value) => (short(*value)), None => "–" } }
+                        }
+                    }
+                }
+            }
+        }
     }
 }
 
