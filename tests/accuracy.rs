@@ -22,10 +22,13 @@ const WIDTH: u32 = 1024;
 const HEIGHT: u32 = 768;
 /// 0.005 % of the picture.
 const MOST_WRONG_PX: u64 = WIDTH as u64 * HEIGHT as u64 / 20_000;
-/// 0.05 %: the outlines of a hundred spheres pass some centres by less than the rasteriser's grid.
-const MOST_AMBIGUOUS_PX: u64 = WIDTH as u64 * HEIGHT as u64 / 2_000;
-/// Seed of the views and lights.
-const SEED: u64 = 4;
+/// 0.02 %: outlines of shadows and of dark sides pass some centres by less than the rasteriser's grid.
+const MOST_AMBIGUOUS_PX: u64 = WIDTH as u64 * HEIGHT as u64 / 5_000;
+/// Seeds of views and lights, and how many of each. With 3 and 11, volumes once had artifacts.
+const SEEDS: [u64; 3] = [3, 4, 11];
+const SHOTS: usize = 7;
+/// Most pixels that are wrong although the truth is the same all around, in all pictures of one method.
+const MOST_HARD_PX: usize = 2;
 const METHODS: [&str; 8] = [
     "silhouette_ts",
     "silhouette_gs",
@@ -37,8 +40,9 @@ const METHODS: [&str; 8] = [
     "triangle_ts,counting=auto",
 ];
 
-/// Draws `scene` at each view and light with each method and returns the errors, a row a view.
-fn errors(gpu: &Gpu, scene: &mut Scene, shots: &[(View, Vec4)]) -> Vec<Vec<MaskError>> {
+/// Draws `scene` at each view and light with each method and returns the errors, and how many of them are hard, a
+/// row a view.
+fn errors(gpu: &Gpu, scene: &mut Scene, shots: &[(View, Vec4)]) -> Vec<Vec<(MaskError, usize)>> {
     let cache = ReferenceCache::open(None);
     let stage = Stage::new(gpu, scene, WIDTH, HEIGHT).unwrap();
     let methods: Vec<Box<dyn PreparedMethod>> = {
@@ -56,10 +60,9 @@ fn errors(gpu: &Gpu, scene: &mut Scene, shots: &[(View, Vec4)]) -> Vec<Vec<MaskE
                 .iter()
                 .map(|method| {
                     let mask = verifier.draw_mask(method.as_ref(), &truth).unwrap();
-                    verifier
-                        .judge(&mask, &truth, method.as_ref())
-                        .unwrap()
-                        .error
+                    let judgement = verifier.judge(&mask, &truth, method.as_ref()).unwrap();
+                    let hard = verifier.hard_errors(&mask, &truth).unwrap();
+                    (judgement.error, hard.len())
                 })
                 .collect()
         })
@@ -96,59 +99,64 @@ fn sphere_grid_has_no_artifacts(slices: u32) {
         .unwrap();
     let mut scene = file.load(&plan.search).unwrap();
     let path = scene.camera.view_at(0.0);
-    let mut random = ChaCha8Rng::seed_from_u64(SEED);
-    let shots: Vec<_> = (0..20)
-        .map(|_| {
-            let eye = outside_spheres(
-                &mut random,
-                Vec3::new(-25.0, 0.3, -25.0),
-                Vec3::new(25.0, 15.0, 25.0),
-            );
-            let target = point(
-                &mut random,
-                Vec3::new(-10.0, 0.0, -10.0),
-                Vec3::new(10.0, 2.0, 10.0),
-            );
-            let light = outside_spheres(
-                &mut random,
-                Vec3::new(-15.0, 0.1, -15.0),
-                Vec3::new(15.0, 30.0, 15.0),
-            );
-            (
-                View {
-                    eye,
-                    target,
-                    ..path
-                },
-                light.extend(1.0),
-            )
+    let shot = |random: &mut ChaCha8Rng| {
+        let eye = outside_spheres(
+            random,
+            Vec3::new(-25.0, 0.3, -25.0),
+            Vec3::new(25.0, 15.0, 25.0),
+        );
+        let target = point(
+            random,
+            Vec3::new(-10.0, 0.0, -10.0),
+            Vec3::new(10.0, 2.0, 10.0),
+        );
+        let light = outside_spheres(
+            random,
+            Vec3::new(-15.0, 0.1, -15.0),
+            Vec3::new(15.0, 30.0, 15.0),
+        );
+        (
+            View {
+                eye,
+                target,
+                ..path
+            },
+            light.extend(1.0),
+        )
+    };
+    let shots: Vec<_> = SEEDS
+        .into_iter()
+        .flat_map(|seed| {
+            let mut random = ChaCha8Rng::seed_from_u64(seed);
+            (0..SHOTS).map(|_| shot(&mut random)).collect::<Vec<_>>()
         })
         .collect();
     let device = device();
     let errors = errors(&device, &mut scene, &shots);
-    let (mut faults, mut artifacts_of_triangle_ts) = (Vec::new(), 0);
+    let (mut faults, mut hard) = (Vec::new(), [0; METHODS.len()]);
     for ((view, light), row) in shots.iter().zip(&errors) {
-        for (method, error) in METHODS.iter().zip(row) {
+        for ((method, (error, hard_px)), hard) in METHODS.iter().zip(row).zip(&mut hard) {
             let place = format!(
-                "{method}, n = {slices}, eye {}, target {}, light {light}: {error:?}",
+                "{method}, n = {slices}, eye {}, target {}, light {light}: {error:?}, {hard_px} hard",
                 view.eye, view.target
             );
             println!("{place}");
             let few = error.wrong_px() < MOST_WRONG_PX && error.ambiguous_px < MOST_AMBIGUOUS_PX;
             // The tessellator has a say in triangle_ts (METHODOLOGY.md, remaining errors).
             let allowed = if method.starts_with("triangle_ts") {
-                3
+                2
             } else {
                 0
             };
-            artifacts_of_triangle_ts += if allowed > 0 { error.artifact_px } else { 0 };
             if error.artifact_px > allowed || !few {
                 faults.push(place);
             }
+            *hard += hard_px;
         }
     }
     assert!(faults.is_empty(), "{faults:#?}");
-    assert!(artifacts_of_triangle_ts <= 10, "{artifacts_of_triangle_ts}");
+    let most = hard.iter().max().unwrap();
+    assert!(*most <= MOST_HARD_PX, "{hard:?} of {METHODS:?}");
 }
 
 #[test]

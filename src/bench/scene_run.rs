@@ -12,6 +12,7 @@ use crate::config::{MethodPlan, ScenePlan};
 use crate::frame::{SceneBuffers, Stage};
 use crate::gpu::Gpu;
 use crate::methods::PrepareContext;
+use crate::metrics;
 use crate::scene::camera::FrameError;
 use crate::scene::file::MeshSource;
 use crate::scene::{Scene, SceneError};
@@ -242,6 +243,7 @@ impl<'a> SceneRun<'a> {
         let notes = self.scene.notes.iter();
         let notes = notes.map(|note| format!("{}: {note}", self.scene.name));
         let mut warnings: Vec<_> = notes.chain(self.warnings).collect();
+        warnings.extend(undecided(self.scene, &self.cells));
         for run in &self.cells {
             for text in &run.warnings {
                 let warning = format!("{}, {}: {text}", self.scene.name, run.cell.method);
@@ -286,4 +288,12 @@ fn scene_record(scene: &Scene, edges: Option<EdgeRecord>, failure: Option<String
         },
         reason: failure.unwrap_or_default(),
     }
+}
+
+/// Words on the frame of which the truth can decide least, where that is much.
+fn undecided(scene: &Scene, cells: &[CellRun<'_>]) -> Option<String> {
+    let frames = cells.iter().flat_map(|run| &run.errors);
+    let worst = frames.max_by_key(|frame| frame.ambiguous_px)?;
+    let words = metrics::undecided(worst.ambiguous_px, worst.compared_px)?;
+    Some(format!("{}, at {:.1} s: {words}", scene.name, worst.time_s))
 }

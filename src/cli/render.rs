@@ -63,6 +63,8 @@ struct Output<'a> {
     width: u32,
     height: u32,
     errors: MaskError,
+    /// Of the wrong pixels, those that no tie excuses.
+    hard_px: usize,
     labels: Counts,
     distances_px: Counts,
     frame_ms: f64,
@@ -138,7 +140,14 @@ pub(super) fn execute(args: &RenderArgs) -> anyhow::Result<()> {
         record_ms: times.record_ms,
         draw_calls: times.draw_calls,
         stages_ms: stages(&times),
-        warnings: [scene.notes.clone(), prepared.warnings()].concat(),
+        hard_px: verifier.hard_errors(&mask, &truth)?.len(),
+        warnings: scene
+            .notes
+            .iter()
+            .cloned()
+            .chain(prepared.warnings())
+            .chain(judgement.error.undecided())
+            .collect(),
     };
     if args.json {
         console::print(&(serde_json::to_string_pretty(&output)? + "\n"));
@@ -170,6 +179,12 @@ fn text(output: &Output<'_>, kinds: &str, times: &StageTimes) -> String {
         output.height,
     );
     text.push_str(&wrong_pixels(&output.errors));
+    if output.hard_px > 0 {
+        let hard_px = output.hard_px;
+        text.push_str(&format!(
+            "hard errors: {hard_px} (the truth is the same all around)\n"
+        ));
+    }
     text.push_str(kinds);
     let stages: Vec<_> = times
         .stages

@@ -29,13 +29,6 @@ pub(super) static INFO: MethodInfo = MethodInfo {
     ],
 };
 
-/// Neighbouring triangles share a side quad, in opposite windings. Its two copies should cancel to the
-/// pixel, but the tessellator cuts them along different diagonals, so that they differ in the last bits of depth.
-/// That decides pixels close to their near edge, on the surface that they start from, which they are never
-/// in front of: pushed back by so much, both are mostly behind it. More would move shadows of surfaces that the
-/// light grazes.
-const PUSH_BACK_PX: f64 = 1.0 / 8192.0;
-
 /// The method's parameters.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 #[serde(default)]
@@ -78,10 +71,7 @@ impl ShadowMethod for TriangleTs {
         &self,
         context: &PrepareContext<'_>,
     ) -> Result<Box<dyn PreparedMethod>, MethodError> {
-        let parameters = &VolumeParameters {
-            push_back_px: self.volume.push_back_px.or(Some(PUSH_BACK_PX)),
-            ..self.volume
-        };
+        let parameters = &self.volume;
         let faces = match self.passes {
             1 => vec![single(context, parameters)],
             _ => vec![

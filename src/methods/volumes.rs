@@ -221,7 +221,7 @@ impl StencilVolumes {
                     input,
                     topology: faces.topology,
                     raster,
-                    push_back_px: parameters.push_back_px.unwrap_or(0.0) as f32,
+                    push_back_px: parameters.push_back_px as f32,
                 };
                 Pipeline::new(device, &target, &bindings, &desc)
             };

@@ -27,11 +27,34 @@ pub struct MaskError {
     pub compared_px: u64,
 }
 
+/// The part of a picture that may be ambiguous before the reader should know.
+const MOST_AMBIGUOUS: f64 = 0.01;
+
+/// See [`MaskError::undecided`].
+#[must_use]
+pub fn undecided(ambiguous_px: u64, compared_px: u64) -> Option<String> {
+    let share = ambiguous_px as f64 / (ambiguous_px + compared_px).max(1) as f64;
+    (share > MOST_AMBIGUOUS).then(|| {
+        format!(
+            "the truth cannot decide {:.1} % of the picture, and errors there do not count: the light or the eye lies \
+             in the plane of a visible surface",
+            100.0 * share
+        )
+    })
+}
+
 impl MaskError {
     /// Pixels that are wrong in any way.
     #[must_use]
     pub fn wrong_px(&self) -> u64 {
         self.false_lit + self.false_shadowed
+    }
+
+    /// Words on how much of the picture the reference cannot decide, where that is so much that the other counts say
+    /// little.
+    #[must_use]
+    pub fn undecided(&self) -> Option<String> {
+        undecided(self.ambiguous_px, self.compared_px)
     }
 }
 

@@ -26,5 +26,5 @@ pub use error_map::{
 pub use flicker::Flicker;
 pub use flip::{PictureSizeError, mean_flip};
 pub use labels::{Analysis, FrameContext, Label, SEAM_STEPS, TexelLookup, analyse};
-pub use mask_error::{MaskComparison, MaskError, MaskSizeError, PixelResult, Place};
+pub use mask_error::{MaskComparison, MaskError, MaskSizeError, PixelResult, Place, undecided};
 pub use regions::{Region, Sign};

@@ -138,7 +138,6 @@ fn opposite(corners: &[Vec3; 3], edge: [Vec3; 2]) -> Option<Vec3> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::Verdict;
     use super::super::fixtures::{Scene, view};
     use super::*;
     use glam::Vec4;
@@ -175,40 +174,33 @@ mod tests {
     }
 
     #[test]
-    fn where_it_ends_the_grid_decides_within_its_step() {
-        let ends_at = |z| in_the_middle(&[on_edge(z, SOUTH)], LAMP);
-        assert_eq!(ends_at(-1e-4), Verdict::Ambiguous);
-        assert_eq!(
-            ends_at(-6e-4),
-            Verdict::Lit,
-            "a hundredth of a pixel inside"
-        );
-    }
-
-    #[test]
-    fn where_a_shadow_volume_starts_the_grid_decides() {
-        let fin = [
-            on_edge(0.0, SOUTH),
-            on_edge(0.0, NORTH),
-            on_edge(0.0, BELOW),
-        ];
-        for light in [LAMP, SUN] {
-            assert_eq!(in_the_middle(&fin, light), Verdict::Ambiguous);
+    fn an_edge_alone_leaves_nothing_undecided() {
+        for z in [-1e-4, -6e-4] {
+            assert_eq!(in_the_middle(&[on_edge(z, SOUTH)], LAMP), Verdict::Lit);
         }
-        // Two fins that the light sees on both sides of the edge cancel.
-        let thirds = [SOUTH, NORTH, BELOW, BELOW.with_z(-0.4)];
-        let two = thirds.map(|third| on_edge(1e-4, third));
-        assert_eq!(
-            in_the_middle(&two, Vec4::new(0.1, 6.0, 0.01, 1.0)),
-            Verdict::Lit
-        );
+        // Shadow volumes start from the edge, and shadow nothing that is seen.
+        let fin = [SOUTH, NORTH, BELOW].map(|third| on_edge(0.0, third));
+        for light in [LAMP, SUN] {
+            assert_eq!(in_the_middle(&fin, light), Verdict::Lit);
+        }
     }
 
     #[test]
-    fn a_light_in_the_plane_of_a_triangle_may_be_on_either_side() {
-        let upright = on_edge(0.0, Vec3::new(0.0, -0.8, 0.0));
-        let with_fin = [on_edge(0.0, SOUTH), on_edge(0.0, NORTH), upright];
-        let above = Vec4::new(0.3, 6.0, 0.0, 1.0);
-        assert_eq!(in_the_middle(&with_fin, above), Verdict::Ambiguous);
+    fn where_verdicts_differ_the_grid_decides_within_its_step() {
+        // Behind the ridge the surface faces away from the light. A pixel is 0.057 wide.
+        let ridge = |z| [on_edge(z, SOUTH), on_edge(z, Vec3::new(0.1, -0.6, -1.2))];
+        let low_sun = Vec4::new(0.0, 0.3, 1.0, 0.0);
+        assert_eq!(in_the_middle(&ridge(-1e-4), low_sun), Verdict::Ambiguous);
+        assert_eq!(in_the_middle(&ridge(-6e-4), low_sun), Verdict::Lit);
+        // Its dark side is dark all over.
+        assert_eq!(in_the_middle(&ridge(1e-4), low_sun), Verdict::Shadowed);
+    }
+
+    #[test]
+    fn an_outline_before_something_else_is_decided() {
+        // What lies below is in the shadow of what the pixel shows the very edge of.
+        let roof = on_edge(-1e-4, SOUTH);
+        let floor = [(-2.0, -2.0), (-2.0, 3.0), (4.0, -2.0)].map(|(x, z)| Vec3::new(x, -1.0, z));
+        assert_eq!(in_the_middle(&[roof, floor], LAMP), Verdict::Lit);
     }
 }
