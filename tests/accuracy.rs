@@ -27,8 +27,6 @@ const MOST_AMBIGUOUS_PX: u64 = WIDTH as u64 * HEIGHT as u64 / 5_000;
 /// Seeds of views and lights, and how many of each. With 3 and 11, volumes once had artifacts.
 const SEEDS: [u64; 3] = [3, 4, 11];
 const SHOTS: usize = 7;
-/// Most pixels that are wrong although the truth is the same all around, in all pictures of one method.
-const MOST_HARD_PX: usize = 2;
 const METHODS: [&str; 8] = [
     "silhouette_ts",
     "silhouette_gs",
@@ -155,8 +153,18 @@ fn sphere_grid_has_no_artifacts(slices: u32) {
         }
     }
     assert!(faults.is_empty(), "{faults:#?}");
-    let most = hard.iter().max().unwrap();
-    assert!(*most <= MOST_HARD_PX, "{hard:?} of {METHODS:?}");
+    println!(
+        "hard errors in {} pictures: {hard:?} of {METHODS:?}",
+        shots.len()
+    );
+    for (method, hard) in METHODS.iter().zip(hard) {
+        let most = if method.starts_with("triangle_ts") {
+            shots.len() / 2
+        } else {
+            1
+        };
+        assert!(hard <= most, "{method}: {hard} hard errors");
+    }
 }
 
 #[test]

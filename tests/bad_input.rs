@@ -388,7 +388,7 @@ fn a_map_larger_than_the_device_allows_fails_alone() {
     said.fails(FAILED, &["1 of 2 cells failed", "report.html"]);
     let cells = room.cells();
     assert_eq!((cells[0].0, cells[1].0), (Status::Failed, Status::Ok));
-    let too_large = "65536 × 65536 texels is larger than this device allows";
+    let too_large = "65536 × 65536 is larger than this device allows";
     assert!(cells[0].1.contains(too_large), "{}", cells[0].1);
 
     let said = room.render("sphere_grid", "shadow_map,resolution=65536", &[]);

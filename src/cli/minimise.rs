@@ -204,7 +204,9 @@ fn attempt(
     let attempts = studio.judge(scene, methods).attempts;
     let attempt = attempts.into_iter().next();
     match attempt.context("a method has an attempt")? {
-        Attempt::Missing(NoPicture::Failed(reason)) => anyhow::bail!(reason),
+        Attempt::Missing(NoPicture::Failed(reason)) => {
+            anyhow::bail!("method `{}`: {reason}", methods[0].name())
+        }
         attempt => Ok(attempt),
     }
 }

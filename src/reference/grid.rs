@@ -179,7 +179,7 @@ mod tests {
             assert_eq!(in_the_middle(&[on_edge(z, SOUTH)], LAMP), Verdict::Lit);
         }
         // Shadow volumes start from the edge, and shadow nothing that is seen.
-        let fin = [SOUTH, NORTH, BELOW].map(|third| on_edge(0.0, third));
+        let fin = [SOUTH, NORTH, BELOW].map(|third| on_edge(1e-4, third));
         for light in [LAMP, SUN] {
             assert_eq!(in_the_middle(&fin, light), Verdict::Lit);
         }

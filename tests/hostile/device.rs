@@ -369,8 +369,4 @@ fn a_camera_without_a_picture_is_refused() {
         &["--eye", "3e38,0,0", "--target", "-3e38,0,0"],
         "too large or too small",
     );
-    refused(
-        &["--eye", "1e-30,0,0", "--target", "0,0,1e-30"],
-        "too large or too small",
-    );
 }

@@ -7,8 +7,9 @@ use super::frame::Frame;
 use crate::metrics::regions::Artifact;
 
 /// Sine of the angle between surface and light below which that happens. Depth is taken from planes that are
-/// hundreds of pixels wide: they are uncertain by some hundred times its last bit, which is 6e-8 of it.
-const GRAZING_SINE: f64 = 1e-4;
+/// hundreds of pixels wide, and long and thin: they are uncertain by up to some thousand times its last bit, which is
+/// 6e-8 of it.
+const GRAZING_SINE: f64 = 1e-3;
 
 /// Whether the light sees the surface edge-on at all pixels of a region.
 pub(super) fn is_grazing(frame: &Frame<'_>, artifact: &Artifact) -> bool {
