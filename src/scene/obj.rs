@@ -1,21 +1,23 @@
 //! Meshes from Wavefront OBJ files.
 //!
 //! Only what makes triangles is read: vertices, faces, objects and groups. A wild normal or texture index is
-//! no error, for it does not matter here.
+//! no error, for it does not matter here. Every statement is checked first, and named with its line if it
+//! cannot be used; of vertices, faces and names the `tobj` crate then builds the objects.
 
-use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 use std::{fs, io};
 
+use glam::Vec3;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-use super::mesh::{MAX_TRIANGLES, Mesh};
+use super::mesh::{MAX_TRIANGLES, Mesh, canonical};
+use super::obj_checks::{self, Checked};
+use super::obj_notes::{Shapes, unread_note};
 pub use super::obj_problem::ObjProblem;
-use super::obj_reader::{ObjText, Object, Polygon, Reader};
 use super::obj_text;
 use super::part::Part;
-use super::polygon::{self, Shape};
+use super::polygon;
 
 /// Which axis of a model points up.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -116,19 +118,21 @@ pub fn load(path: &Path, up: Up) -> Result<Model, ObjError> {
         let path = path.to_owned();
         return Err(ObjError::OtherKind { path, what, advice });
     }
-    let text = match obj_text::damage(&bytes) {
+    let checked = match obj_text::damage(&bytes) {
         Some(damage) => Err(damage),
         // In a file that is otherwise valid, only names can be in another encoding.
-        None => Reader::read(&String::from_utf8_lossy(&bytes), up),
+        None => obj_checks::check(&String::from_utf8_lossy(&bytes)),
     };
     drop(bytes);
-    let text = text.map_err(|(line, problem)| ObjError::Line {
+    let checked = checked.map_err(|(line, problem)| ObjError::Line {
         path: path.to_owned(),
         line,
         problem,
     })?;
-    let (parts, shapes): (Vec<Part>, Vec<Shapes>) =
-        text.objects.par_iter().map(Object::part).unzip();
+    let (parts, shapes): (Vec<Part>, Vec<Shapes>) = objects(&checked)
+        .par_iter()
+        .map(|object| object.part(up))
+        .unzip();
     match parts.iter().map(|part| part.triangles.len()).sum() {
         0 => Err(ObjError::NoFaces {
             path: path.to_owned(),
@@ -136,7 +140,7 @@ pub fn load(path: &Path, up: Up) -> Result<Model, ObjError> {
         1..=MAX_TRIANGLES => {
             let shapes = shapes.into_iter().fold(Shapes::default(), Shapes::and);
             let mut notes = shapes.notes(path);
-            notes.extend(unread_note(path, &text));
+            notes.extend(unread_note(path, &checked));
             Ok(Model {
                 mesh: parts.into_iter().collect(),
                 notes,
@@ -147,21 +151,6 @@ pub fn load(path: &Path, up: Up) -> Result<Model, ObjError> {
             triangles,
         }),
     }
-}
-
-/// What to say of statements that are not read.
-fn unread_note(path: &Path, text: &ObjText) -> Option<String> {
-    let (line, keyword) = text.first_unread.as_ref()?;
-    Some(format!(
-        "{}: {} statements for curved surfaces or other files are not read, the first of them `{keyword}` in line \
-         {line}; export polygons",
-        file_name(path),
-        text.unread,
-    ))
-}
-
-fn file_name(path: &Path) -> Cow<'_, str> {
-    path.file_name().unwrap_or_default().to_string_lossy()
 }
 
 fn read(path: &Path) -> Result<Vec<u8>, ObjError> {
@@ -186,91 +175,63 @@ fn read(path: &Path) -> Result<Vec<u8>, ObjError> {
     }
 }
 
-impl Object {
-    fn part(&self) -> (Part, Shapes) {
-        let mut triangles = Vec::with_capacity(self.corners.len() - 2 * self.polygons.len());
+/// An object or group: polygons of its own vertices.
+struct Object<'a> {
+    model: tobj::Model,
+    /// Where each polygon is written.
+    lines: &'a [usize],
+}
+
+/// The objects of a checked text, in order. The last may be empty.
+///
+/// # Panics
+/// When a check has let pass what `tobj` refuses.
+fn objects(checked: &Checked) -> Vec<Object<'_>> {
+    let as_written = tobj::LoadOptions::default();
+    let no_materials = |_: &Path| Ok(Default::default());
+    let (models, _) = tobj::load_obj_buf(&mut checked.text.as_bytes(), &as_written, no_materials)
+        .expect("tobj reads what was checked");
+    let mut rest = checked.face_lines.as_slice();
+    let object = |model: tobj::Model| {
+        let mesh = &model.mesh;
+        let polygons = match mesh.face_arities.len() {
+            0 => mesh.indices.len() / 3,
+            polygons => polygons,
+        };
+        let (lines, after) = rest.split_at(polygons);
+        rest = after;
+        Object { model, lines }
+    };
+    models.into_iter().map(object).collect()
+}
+
+impl Object<'_> {
+    fn part(&self, up: Up) -> (Part, Shapes) {
+        let mesh = &self.model.mesh;
+        let positions = mesh.positions.as_chunks().0.iter();
+        let positions: Vec<Vec3> = positions.map(|p| canonical(up.turned(*p))).collect();
+        let mut triangles = Vec::with_capacity(mesh.indices.len() - 2 * self.lines.len());
         let mut shapes = Shapes::default();
-        let mut rest = self.corners.as_slice();
-        for polygon in &self.polygons {
-            let (corners, after) = rest.split_at(polygon.corners);
+        let mut rest = mesh.indices.as_slice();
+        for (polygon, line) in self.lines.iter().enumerate() {
+            // Where all are triangles, nothing is said of how many corners they have.
+            let count = mesh.face_arities.get(polygon).unwrap_or(&3);
+            let (corners, after) = rest.split_at(*count as usize);
             rest = after;
-            let shape = polygon::triangulate(corners, &self.positions, &mut triangles);
-            shapes = shapes.and(Shapes::of(shape, polygon));
+            let shape = polygon::triangulate(corners, &positions, &mut triangles);
+            shapes = shapes.and(Shapes::of(shape, corners.len(), *line));
         }
-        (Part::new(&self.name, &self.positions, triangles), shapes)
+        let part = Part::new(&self.model.name, &positions, triangles);
+        (part, shapes)
     }
 }
 
-/// What is to say of the polygons of a model.
-#[derive(Clone, Copy, Debug, Default)]
-struct Shapes {
-    /// Those of more than three corners.
-    polygons: usize,
-    bent: usize,
-    /// How much the one that is bent most is, and its line.
-    most_bent: (f64, usize),
-    crossing: usize,
-    /// The line of the first.
-    first_crossing: usize,
-}
-
-impl Shapes {
-    fn of(shape: Shape, polygon: &Polygon) -> Self {
-        let line = polygon.line;
-        let mut shapes = Self {
-            polygons: usize::from(polygon.corners > 3),
-            ..Self::default()
-        };
-        match shape {
-            Shape::Flat => {}
-            Shape::Bent(by) => (shapes.bent, shapes.most_bent) = (1, (by, line)),
-            Shape::Crossing => (shapes.crossing, shapes.first_crossing) = (1, line),
+impl Up {
+    fn turned(self, [x, y, z]: [f32; 3]) -> Vec3 {
+        match self {
+            Self::Y => Vec3::new(x, y, z),
+            Self::Z => Vec3::new(x, z, -y),
         }
-        shapes
-    }
-
-    /// Of objects in the order of the file.
-    fn and(self, next: Self) -> Self {
-        let more_bent = next.most_bent.0 > self.most_bent.0;
-        let first_crossing = [self.first_crossing, next.first_crossing];
-        Self {
-            polygons: self.polygons + next.polygons,
-            bent: self.bent + next.bent,
-            most_bent: if more_bent {
-                next.most_bent
-            } else {
-                self.most_bent
-            },
-            crossing: self.crossing + next.crossing,
-            first_crossing: first_crossing[usize::from(self.crossing == 0)],
-        }
-    }
-
-    fn notes(&self, path: &Path) -> Vec<String> {
-        let file = file_name(path);
-        let some = |count: usize, one: &str, many: &str| {
-            let (all, verb) = (self.polygons, if count == 1 { one } else { many });
-            format!("{file}: {count} of {all} polygons of more than three corners {verb}")
-        };
-        let mut notes = Vec::new();
-        if self.bent > 0 {
-            let (by, line) = self.most_bent;
-            notes.push(format!(
-                "{} not flat, the worst by {:.1} % of its size (line {line}): how it is cut into \
-                 triangles decides its shape; export triangles to decide that yourself",
-                some(self.bent, "is", "are"),
-                100.0 * by,
-            ));
-        }
-        if self.crossing > 0 {
-            notes.push(format!(
-                "{} (the first in line {}): without an inside, each is drawn as a fan of triangles; \
-                 repair them, or export triangles",
-                some(self.crossing, "crosses itself", "cross themselves"),
-                self.first_crossing,
-            ));
-        }
-        notes
     }
 }
 

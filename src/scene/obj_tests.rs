@@ -184,6 +184,28 @@ fn a_file_at_fault_is_named() {
     ));
 }
 
+/// Also those that look like statements.
+#[test]
+fn names_are_kept_whatever_they_look_like() {
+    for name in [
+        "v 0 0",
+        "f 1 2 9",
+        "o",
+        "g a",
+        "usemtl  x",
+        "mtllib y.mtl",
+        "a  b\u{3000}c",
+        "a\u{2028}b\u{85}c#",
+        "C:\\",
+        "unnamed_object",
+    ] {
+        let text = format!("v 0 0 0\no {name}\nv 1 0 0\nv 0 1 0\nf 1 2 3\ng\nf 3 2 1\n");
+        let mesh = load_bytes(text.as_bytes(), Up::Y).unwrap();
+        let names: Vec<_> = mesh.objects.iter().map(|o| o.name.as_str()).collect();
+        assert_eq!(names, [name.trim_end(), "unnamed_object"]);
+    }
+}
+
 /// A quad whose fan from its first corner would leave the arrow's notch covered.
 #[test]
 fn an_arrow_has_one_shape_whichever_corner_comes_first() {
@@ -232,6 +254,52 @@ fn shapes_that_are_not_read_are_noted() {
 }
 
 proptest! {
+    /// Indices from the start and the end of the vertices, vertices that come after the face and before the next
+    /// object, weights, colours, and lines that are not read.
+    #[test]
+    fn corners_are_the_vertices_that_faces_name(
+        objects in prop::collection::vec(
+            prop::collection::vec((any::<[u8; 3]>(), any::<[u8; 3]>(), 0u8..6), 1..8),
+            1..6,
+        ),
+    ) {
+        // Each object has three vertices behind its faces, which those may name as well as all before them.
+        let mut text = String::new();
+        let (mut vertices, mut expected) = (Vec::<Vec3>::new(), Vec::new());
+        for (o, faces) in objects.iter().enumerate() {
+            text += &format!("o {o}\nusemtl m{o}\nl 1 2\n");
+            let own = [0, 1, 2].map(|i| Vec3::new(o as f32, f32::from(faces[0].1[i]), i as f32));
+            let before = vertices.len();
+            vertices.extend(own);
+            for (picks, _, spelling) in faces {
+                let corners = picks.map(|pick| usize::from(pick) % vertices.len());
+                let spelled = corners.map(|v| match spelling {
+                    1 if v < before => format!("-{}", before - v),
+                    2 => format!("+{}/7/-9", v + 1),
+                    3 => format!("{}//", v + 1),
+                    _ => format!("{}", v + 1),
+                });
+                let between = if *spelling == 4 { " \\\n" } else { " " };
+                text += &format!("f {}\n", spelled.join(between));
+                expected.push(corners);
+            }
+            for (p, (_, _, spelling)) in own.iter().zip(faces.iter().cycle()) {
+                text += &match spelling {
+                    0 => format!("v {} {} {} 2\n", 2.0 * p.x, 2.0 * p.y, 2.0 * p.z),
+                    1 => format!("v {:e} {} {} .1 .2 .3\n", p.x, p.y, p.z),
+                    2 => format!("v {} {} \\\n{} 0 0 # C\n", p.x, p.y, p.z),
+                    _ => format!("v +{} {} {}.\n", p.x, p.y, p.z),
+                };
+            }
+        }
+        let mesh = load_bytes(text.as_bytes(), Up::Y).unwrap();
+        let expected: Vec<_> = expected.iter().map(|face| face.map(|v| vertices[v])).collect();
+        let corners: Vec<_> = (0..mesh.triangles.len()).map(|t| mesh.corners(t)).collect();
+        prop_assert_eq!(corners, expected, "{}", text);
+        let counts = mesh.objects.iter().map(|object| object.triangles.len());
+        prop_assert!(counts.eq(objects.iter().map(Vec::len)));
+    }
+
     #[test]
     fn no_bytes_make_it_panic(bytes in prop::collection::vec(any::<u8>(), 0..300)) {
         let _ = load_bytes(&bytes, Up::Y);
