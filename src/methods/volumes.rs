@@ -98,7 +98,7 @@ pub(super) const LIMITS: &[Limit] = &[
     PRECISION_LIMIT,
     Limit {
         text: "a wrong pixel or two beside an edge that is clipped, or that a side quad starts from whose depth the \
-               rasteriser cannot tell from the surface's, in one of some hundred random scenes",
+               rasteriser cannot tell from the surface's, in about one of a thousand random scenes",
         with: &[],
         fails: &[],
         kinds: &[Label::Unlabelled],
