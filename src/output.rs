@@ -195,12 +195,24 @@ fn folder(path: &Path) -> &Path {
     }
 }
 
+/// As many symbolic links as Linux follows.
+const LONGEST_CHAIN: usize = 40;
+
 /// Where a file that is not there yet will be, without links on the way.
 fn future_path(path: &Path) -> Option<PathBuf> {
-    // A link that points nowhere yet makes its target.
-    let target = fs::read_link(path).map(|target| folder(path).join(target));
-    let path = target.as_deref().unwrap_or(path);
-    Some(fs::canonicalize(folder(path)).ok()?.join(path.file_name()?))
+    // A link that points nowhere yet makes its target, at the end of a chain of links.
+    let mut path = path.to_owned();
+    for _ in 0..LONGEST_CHAIN {
+        match fs::read_link(&path) {
+            Ok(target) => path = folder(&path).join(target),
+            Err(_) => break,
+        }
+    }
+    Some(
+        fs::canonicalize(folder(&path))
+            .ok()?
+            .join(path.file_name()?),
+    )
 }
 
 #[cfg(test)]
@@ -301,5 +313,16 @@ mod tests {
             Path::new("/dev/null"),
             Path::new("/dev/null")
         ));
+    }
+
+    #[test]
+    fn links_to_one_file_to_be_are_the_same() {
+        let dir = tempfile::tempdir().unwrap();
+        let path = |name: &str| dir.path().join(name);
+        symlink("one", path("two")).unwrap();
+        symlink("two", path("three")).unwrap();
+        symlink("loop", path("loop")).unwrap();
+        assert!(is_same_file(&path("three"), &path("one")));
+        assert!(!is_same_file(&path("three"), &path("loop")));
     }
 }

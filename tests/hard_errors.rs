@@ -82,7 +82,6 @@ fn no_specks_of_light_in_a_shadow() {
             let mask = verifier.draw_mask(prepared.as_ref(), truth).unwrap();
             verifier.hard_errors(&mask, truth).unwrap().len()
         });
-        println!("{method}: {hard:?} hard errors");
         assert!(
             hard.iter().sum::<usize>() <= 2,
             "{method}: {hard:?} hard errors"

@@ -25,10 +25,10 @@ pub(super) struct FuzzArgs {
     #[arg(long, value_name = "ID[,key=value...]")]
     method: Vec<String>,
     /// Number of random scenes (default: 1000, or with --seconds as many as there is time for)
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     cases: Option<u64>,
     /// Seed of the first scene; the next scene has the next seed
-    #[arg(long, value_name = "N", default_value_t = 0)]
+    #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u64).range(..u64::MAX))]
     seed: u64,
     /// Stop after so many seconds
     #[arg(long, value_name = "S")]

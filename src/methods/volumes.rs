@@ -87,14 +87,10 @@ pub(super) const LIMITS: &[Limit] = &[
         kinds: &[Label::Acne, Label::Seam, Label::Grazing, Label::Unlabelled],
         at_most: Bound::Share(0.05),
     },
-    Limit {
-        text: "a line of wrong pixels along the edge between two triangles that reach 10,000 times as far as what the \
-               picture shows: both are clipped there, and their caps overlap or leave a gap",
-        with: &[],
-        fails: &[("large_triangles", 4.0)],
-        kinds: &[],
-        at_most: Bound::Share(0.005),
-    },
+    Limit::in_words(
+        "a line of wrong pixels along the edge between two triangles that reach 10,000 times as far as what the \
+         picture shows: both are clipped there, and their caps overlap or leave a gap",
+    ),
     PRECISION_LIMIT,
     Limit {
         text: "a wrong pixel or two beside an edge that is clipped, or that a side quad starts from whose depth the \

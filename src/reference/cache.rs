@@ -100,7 +100,9 @@ impl ReferenceCache {
 
     fn load(&self, key: &CacheKey, view: &ReferenceView) -> Option<ReferenceMask> {
         let path = self.path(key)?;
-        let mut file = File::open(&path).ok()?;
+        // A pipe would wait for a writer.
+        let is_file = std::fs::metadata(&path).is_ok_and(|found| found.is_file());
+        let mut file = is_file.then(|| File::open(&path)).transpose().ok()??;
         let mask = read_png(&mut file, key, view)?;
         // Those that are not used go first. Where this is not allowed, the time of writing has to do.
         let _ = file.set_modified(SystemTime::now());

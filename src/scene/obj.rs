@@ -13,7 +13,7 @@ use serde::{Deserialize, Serialize};
 
 use super::mesh::{MAX_TRIANGLES, Mesh, canonical};
 use super::obj_checks::{self, Checked};
-use super::obj_notes::{Shapes, unread_note};
+use super::obj_notes::{Shapes, size_note, unread_note};
 pub use super::obj_problem::ObjProblem;
 use super::obj_text;
 use super::part::Part;
@@ -141,6 +141,7 @@ pub fn load(path: &Path, up: Up) -> Result<Model, ObjError> {
             let shapes = shapes.into_iter().fold(Shapes::default(), Shapes::and);
             let mut notes = shapes.notes(path);
             notes.extend(unread_note(path, &checked));
+            notes.extend(size_note(path, size(&parts)));
             Ok(Model {
                 mesh: parts.into_iter().collect(),
                 notes,
@@ -151,6 +152,14 @@ pub fn load(path: &Path, up: Up) -> Result<Model, ObjError> {
             triangles,
         }),
     }
+}
+
+/// The longest side of the box around all.
+fn size(parts: &[Part]) -> f32 {
+    let vertices = || parts.iter().flat_map(|part| &part.positions);
+    let low = vertices().fold(Vec3::INFINITY, |low, p| low.min(*p));
+    let high = vertices().fold(Vec3::NEG_INFINITY, |high, p| high.max(*p));
+    (high - low).max_element()
 }
 
 fn read(path: &Path) -> Result<Vec<u8>, ObjError> {

@@ -19,14 +19,53 @@ pub(super) struct Checked {
     pub(super) text: String,
     /// The line of the file on which each face begins, in order.
     pub(super) face_lines: Vec<usize>,
-    /// How many statements are not read that make shapes.
+    /// How many statements are not read that make shapes, or are none of the format's.
     pub(super) unread: usize,
     /// The first of them, and its line.
     pub(super) first_unread: Option<(usize, String)>,
 }
 
-/// Statements that are not read though they make shapes: curved surfaces, and other files.
-const UNREAD: &[&str] = &["surf", "bzp", "bsp", "cdp", "call", "csh"];
+/// Statements that need not be read: by themselves they make no shapes. Others do (curved surfaces, other files), or are
+/// none of the format's.
+const WITHOUT_SHAPE: &[&str] = &[
+    "vt",
+    "vn",
+    "vp",
+    "p",
+    "l",
+    "s",
+    "mg",
+    "usemtl",
+    "mtllib",
+    "usemap",
+    "maplib",
+    "bevel",
+    "c_interp",
+    "d_interp",
+    "lod",
+    "shadow_obj",
+    "trace_obj",
+    "ctech",
+    "stech",
+    "deg",
+    "cstype",
+    "bmat",
+    "step",
+    "curv",
+    "curv2",
+    "parm",
+    "trim",
+    "hole",
+    "scrv",
+    "sp",
+    "end",
+    "con",
+    "scmp",
+    "res",
+    "cdc",
+    "tessellation",
+    "evaluate",
+];
 
 /// Checks a text; what it returns, `tobj` reads without an error.
 pub(super) fn check(text: &str) -> Result<Checked, AtLine> {
@@ -42,7 +81,7 @@ pub(super) fn check(text: &str) -> Result<Checked, AtLine> {
                 too_early = too_early.or(checker.end_object().err());
                 checker.write("o", [statement.rest]);
             }
-            keyword if UNREAD.contains(&keyword) => {
+            keyword if !WITHOUT_SHAPE.contains(&keyword) => {
                 let first = (statement.line, keyword.to_owned());
                 checker.checked.unread += 1;
                 checker.checked.first_unread.get_or_insert(first);

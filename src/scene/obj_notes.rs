@@ -82,11 +82,25 @@ impl Shapes {
 pub(super) fn unread_note(path: &Path, checked: &Checked) -> Option<String> {
     let (line, keyword) = checked.first_unread.as_ref()?;
     Some(format!(
-        "{}: {} statements for curved surfaces or other files are not read, the first of them `{keyword}` in line \
-         {line}; export polygons",
+        "{}: {} statements are not read (curved surfaces, other files, or unknown words), the first of them \
+         `{}` in line {line}; export polygons",
         file_name(path),
         checked.unread,
+        keyword.escape_debug(),
     ))
+}
+
+/// The vertices of a model of this size are moved by up to a thousandth of it.
+const SMALLEST_SIZE: f32 = 1e-9;
+
+/// What to say of a model whose longest side is `size`, if it is so small that it loses its shape.
+pub(super) fn size_note(path: &Path, size: f32) -> Option<String> {
+    (size < SMALLEST_SIZE).then(|| {
+        format!(
+            "{}: is only {size:e} units large, and vertices are moved to multiples of 2^-40; scale it up",
+            file_name(path)
+        )
+    })
 }
 
 fn file_name(path: &Path) -> Cow<'_, str> {

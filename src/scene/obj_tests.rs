@@ -242,6 +242,30 @@ fn bent_and_crossing_polygons_are_noted() {
 }
 
 #[test]
+fn words_that_are_no_statement_are_noted() {
+    let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nF 1 2 3\n\u{feff}f 1 2 3\nvn 0 0 1\n";
+    let notes = load_model(text.as_bytes(), Up::Y).unwrap().notes;
+    assert_eq!(notes.len(), 1);
+    assert!(
+        notes[0].contains("2 statements") && notes[0].contains("`F` in line 5"),
+        "{}",
+        notes[0]
+    );
+}
+
+#[test]
+fn a_model_that_is_rounded_away_is_noted() {
+    let notes = |size: &str| {
+        let text = format!("v 0 0 0\nv {size} 0 0\nv 0 {size} 0\nf 1 2 3\n");
+        load_model(text.as_bytes(), Up::Y).unwrap().notes
+    };
+    assert!(notes("1e-8").is_empty());
+    for size in ["1e-10", "1e-13", "1e-30"] {
+        assert!(notes(size)[0].contains("scale it up"), "{size}");
+    }
+}
+
+#[test]
 fn shapes_that_are_not_read_are_noted() {
     let text = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\ncstype bezier\nsurf 0 1 0 1 1 2 \\\n3\nend\ncall other.obj\n";
     let notes = load_model(text, Up::Y).unwrap().notes;

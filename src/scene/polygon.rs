@@ -115,8 +115,8 @@ struct Plane {
     middle: DVec3,
     /// Of the polygon: the longest distance from its first corner.
     size: f64,
-    /// How far rounding may have moved a corner.
-    rounding: f64,
+    /// How far rounding may have moved a corner along each axis: not at all where all have one coordinate.
+    rounding: DVec3,
 }
 
 impl Plane {
@@ -126,12 +126,17 @@ impl Plane {
         let farthest = points.iter().map(from_first);
         let axis = farthest.max_by(|a, b| a.length_squared().total_cmp(&b.length_squared()))?;
         let size = axis.length();
-        let largest = points.iter().map(|p| p.abs().max_element());
-        let rounding = ROUNDING * f64::from(largest.fold(0.0, f32::max));
+        let largest = points.iter().fold(Vec3::ZERO, |most, p| most.max(p.abs()));
+        let varies = points
+            .iter()
+            .fold(Vec3::ZERO, |most, p| most.max((*p - points[0]).abs()));
+        let varies = varies.cmpgt(Vec3::ZERO);
+        let rounding = ROUNDING * Vec3::select(varies, largest, Vec3::ZERO).as_dvec3();
         let direction = axis.try_normalize()?;
         let across = points.iter().map(|p| direction.cross(from_first(p)));
         let widest = across.max_by(|a, b| a.length_squared().total_cmp(&b.length_squared()))?;
-        if widest.length() <= rounding.max(1e-7 * size) {
+        let widthwise = widest.cross(direction).normalize_or_zero();
+        if widest.length() <= widthwise.abs().dot(rounding).max(1e-7 * size) {
             return None;
         }
         // Newell: twice the areas of the polygon's projections.
@@ -155,7 +160,7 @@ impl Plane {
     fn shape(&self, points: &[Vec3]) -> Shape {
         let height = |p: &Vec3| self.normal.dot(p.as_dvec3() - self.middle).abs();
         let highest = points.iter().map(height).fold(0.0, f64::max);
-        if highest <= FLAT * self.size + self.rounding {
+        if highest <= FLAT * self.size + self.normal.abs().dot(self.rounding) {
             Shape::Flat
         } else {
             Shape::Bent(highest / self.size)

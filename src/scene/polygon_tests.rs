@@ -237,6 +237,21 @@ fn wild() -> impl Strategy<Value = Vec<[f32; 2]>> {
     prop::collection::vec([0u8..5, 0u8..5].prop_map(|p| p.map(f32::from)), 3..24)
 }
 
+#[test]
+fn a_polygon_far_away_has_its_shape_if_its_corners_have() {
+    // Across the far axis nothing is rounded.
+    for x in [0.0, 3e6, 1e9] {
+        let arrow = ARROW.map(|[y, z]| Vec3::new(x, y, z));
+        let (triangles, shape) = cut(&arrow);
+        assert_eq!(shape, Shape::Flat);
+        let area: f32 = triangles
+            .iter()
+            .map(|[a, b, c]| (b - a).cross(c - a).length() / 2.0)
+            .sum();
+        assert_eq!(area, outline_area(&ARROW).abs() as f32, "at {x}");
+    }
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(1000))]
 

@@ -110,6 +110,8 @@ impl Change {
             // Copies of a side quad that cancel within one object's edge are drawn from two edges instead. A
             // tessellator may begin the two at different vertices: their last bits of depth then differ.
             Self::SplitObjects | Self::MergeObjects => Keeps::AllButBoundary,
+            // A rasteriser takes a triangle's plane from its first vertex: the last bits of the surface's depth differ.
+            Self::RotateVertices => Keeps::AllButBoundary,
             // The middles of edges are rounded, which moves the surface.
             Self::Subdivide => Keeps::AllButBoundary,
             _ => Keeps::EveryPixel,

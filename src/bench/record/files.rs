@@ -35,6 +35,10 @@ impl FileRecord {
     /// What became of the file, if it is not as it was.
     fn damage(&self, dir: &Path) -> anyhow::Result<Option<String>> {
         let path = dir.join(&self.name);
+        // A pipe would wait for a writer.
+        if std::fs::metadata(&path).is_ok_and(|found| !found.is_file()) {
+            return Ok(Some("is no file any more".to_owned()));
+        }
         let bytes = match std::fs::read(&path) {
             Err(error) if error.kind() == ErrorKind::NotFound => {
                 return Ok(Some("is missing".to_owned()));
