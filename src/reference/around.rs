@@ -15,9 +15,9 @@ const PLACES: u32 = 8;
 
 /// Tells which pixels no tie excuses: those whose shadow is the same all around their centre.
 ///
-/// It asks the exact geometry at places around the centre, not at it, and knows neither the G-buffer nor the
-/// rule for [ambiguous](Verdict::Ambiguous) pixels: a mask that is wrong here is wrong, whatever
-/// [`Reference::trace`] says.
+/// [`Self::unanimous`] asks the exact geometry at places around the centre, not at it, and knows neither the G-buffer
+/// nor the rule for [ambiguous](Verdict::Ambiguous) pixels. [`Self::drawn`] asks the triangle that the G-buffer shows,
+/// without that rule: a mask that differs from both is wrong, whatever [`Reference::trace`] says.
 pub struct SurroundingsProbe<'a> {
     reference: &'a Reference,
     light: Light,
