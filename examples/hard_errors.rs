@@ -13,7 +13,7 @@ use rand_chacha::ChaCha8Rng;
 use std::path::Path;
 use svbench::bench::Verifier;
 use svbench::config::find_scene;
-use svbench::frame::Stage;
+use svbench::frame::FrameResources;
 use svbench::gpu::{Gpu, GpuOptions};
 use svbench::methods::{PrepareContext, parameters::parse_method};
 use svbench::reference::{ReferenceCache, Verdict};
@@ -113,7 +113,7 @@ fn main() -> anyhow::Result<()> {
         methods = METHODS.map(str::to_owned).into();
     }
     let gpu = Gpu::open(&GpuOptions::default())?;
-    let stage = Stage::new(&gpu, &scene, SIZE.0, SIZE.1)?;
+    let stage = FrameResources::new(&gpu, &scene, SIZE.0, SIZE.1)?;
     let context = PrepareContext::new(&gpu, &scene, &stage);
     let prepared: Vec<_> = methods
         .iter()

@@ -11,7 +11,7 @@ use rand_chacha::ChaCha8Rng;
 use std::path::Path;
 use svbench::bench::Verifier;
 use svbench::config::find_scene;
-use svbench::frame::Stage;
+use svbench::frame::FrameResources;
 use svbench::gpu::Gpu;
 use svbench::methods::{PrepareContext, PreparedMethod, parameters::parse_method};
 use svbench::metrics::MaskError;
@@ -21,9 +21,9 @@ use svbench::scene::{Scene, View};
 const WIDTH: u32 = 1024;
 const HEIGHT: u32 = 768;
 /// 0.005 % of the picture.
-const MOST_WRONG_PX: u64 = WIDTH as u64 * HEIGHT as u64 / 20_000;
+const MAX_WRONG_PX: u64 = WIDTH as u64 * HEIGHT as u64 / 20_000;
 /// 0.02 %: outlines of shadows and of dark sides pass some centres by less than the rasteriser's grid.
-const MOST_AMBIGUOUS_PX: u64 = WIDTH as u64 * HEIGHT as u64 / 5_000;
+const MAX_AMBIGUOUS_PX: u64 = WIDTH as u64 * HEIGHT as u64 / 5_000;
 /// Seeds of views and lights, and how many of each. With 3 and 11, volumes once had artifacts.
 const SEEDS: [u64; 3] = [3, 4, 11];
 const SHOTS: usize = 7;
@@ -42,7 +42,7 @@ const METHODS: [&str; 8] = [
 /// row a view.
 fn errors(gpu: &Gpu, scene: &mut Scene, shots: &[(View, Vec4)]) -> Vec<Vec<(MaskError, usize)>> {
     let cache = ReferenceCache::open(None);
-    let stage = Stage::new(gpu, scene, WIDTH, HEIGHT).unwrap();
+    let stage = FrameResources::new(gpu, scene, WIDTH, HEIGHT).unwrap();
     let methods: Vec<Box<dyn PreparedMethod>> = {
         let context = PrepareContext::new(gpu, scene, &stage);
         let prepare = |id| parse_method(id).unwrap().prepare(&context).unwrap();
@@ -139,7 +139,7 @@ fn sphere_grid_has_no_artifacts(slices: u32) {
                 view.eye, view.target
             );
             println!("{place}");
-            let few = error.wrong_px() < MOST_WRONG_PX && error.ambiguous_px < MOST_AMBIGUOUS_PX;
+            let few = error.wrong_px() < MAX_WRONG_PX && error.ambiguous_px < MAX_AMBIGUOUS_PX;
             // The tessellator has a say in triangle_ts (METHODOLOGY.md, remaining errors).
             let allowed = if method.starts_with("triangle_ts") {
                 2

@@ -9,7 +9,7 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use std::path::Path;
 use svbench::config::find_scene;
-use svbench::frame::Stage;
+use svbench::frame::FrameResources;
 use svbench::gpu::{FrameRecorder, FrameTimer, readback};
 use svbench::methods::{PrepareContext, PreparedMethod, parameters::parse_method};
 use svbench::scene::View;
@@ -54,7 +54,7 @@ fn auto_is_z_fail_with_fewer_draws() {
     let plan = find_scene("sphere_grid", Path::new("")).unwrap();
     let scene = plan.file.load(&plan.search).unwrap();
     let light = scene.light.truncate();
-    let stage = Stage::new(&gpu, &scene, SIZE_PX.0, SIZE_PX.1).unwrap();
+    let stage = FrameResources::new(&gpu, &scene, SIZE_PX.0, SIZE_PX.1).unwrap();
     let context = PrepareContext::new(&gpu, &scene, &stage);
     let prepare = |method: &str, counting: &str| -> Box<dyn PreparedMethod> {
         let method = parse_method(&format!("{method},counting={counting}")).unwrap();

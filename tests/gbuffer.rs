@@ -4,7 +4,7 @@
 mod common;
 
 use common::device;
-use svbench::frame::Stage;
+use svbench::frame::FrameResources;
 use svbench::gpu::{FrameRecorder, Gpu, readback};
 use svbench::reference::{Reference, ReferenceView};
 use svbench::scene::{Scene, SphereGrid, View};
@@ -14,7 +14,7 @@ const SIZE_PX: (u32, u32) = (160, 120);
 
 /// The numbers of the first view's pixels by the device and by rays.
 fn ids(gpu: &Gpu, scene: &Scene, view: &View) -> (Vec<u32>, Vec<u32>) {
-    let stage = Stage::new(gpu, scene, SIZE_PX.0, SIZE_PX.1).unwrap();
+    let stage = FrameResources::new(gpu, scene, SIZE_PX.0, SIZE_PX.1).unwrap();
     let frame_view = stage.set_view(gpu, view, scene.light);
     let mut frame = FrameRecorder::untimed(gpu);
     stage.record_gbuffer(&mut frame);

@@ -8,7 +8,7 @@ use glam::{Vec3, Vec4};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use svbench::bench::Verifier;
-use svbench::frame::Stage;
+use svbench::frame::FrameResources;
 use svbench::methods::{PrepareContext, parameters::parse_method};
 use svbench::reference::{ReferenceCache, Verdict};
 use svbench::scene::{Scene, SphereGrid, View};
@@ -57,7 +57,7 @@ fn rough_balls_under_a_roof() -> Scene {
 fn no_specks_of_light_in_a_shadow() {
     let gpu = device();
     let scene = rough_balls_under_a_roof();
-    let stage = Stage::new(&gpu, &scene, 1024, 768).unwrap();
+    let stage = FrameResources::new(&gpu, &scene, 1024, 768).unwrap();
     let context = PrepareContext::new(&gpu, &scene, &stage);
     let cache = ReferenceCache::open(None);
     let verifier = Verifier::new(&gpu, &scene, &stage, &cache).unwrap();

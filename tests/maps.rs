@@ -8,7 +8,7 @@ use glam::{Vec3, Vec4};
 use svbench::methods::parameters::parse_method;
 use svbench::metrics::{Label, MaskError};
 use svbench::scene::{CameraKey, CameraPath, Part, Scene};
-use svbench::stress::Studio;
+use svbench::stress::Judge;
 
 const SIZE_PX: (u32, u32) = (320, 240);
 const MAPS: [&str; 3] = ["shadow_map", "shadow_map,resolution=512", "cube_shadow_map"];
@@ -64,8 +64,8 @@ fn box_over_floor(height: f32, turn: fn(Vec3) -> Vec3, offset: Vec3, light: Vec4
 }
 
 /// The errors of a method, and how many pixels of them are acne; there is a shadow at all.
-fn errors(studio: &Studio, scene: &Scene, method: &str) -> (MaskError, u64) {
-    let trial = studio.judge(scene, &[parse_method(method).unwrap()]);
+fn errors(judge: &Judge, scene: &Scene, method: &str) -> (MaskError, u64) {
+    let trial = judge.judge(scene, &[parse_method(method).unwrap()]);
     let truth = trial.truth.as_ref().unwrap().to_grey();
     let shadowed = truth.iter().filter(|v| **v == 255).count();
     assert!(shadowed > 500, "{shadowed}");
@@ -77,7 +77,7 @@ fn errors(studio: &Studio, scene: &Scene, method: &str) -> (MaskError, u64) {
 #[test]
 fn a_floor_square_to_the_light_does_not_shadow_itself() {
     let gpu = device();
-    let studio = Studio::new(&gpu, SIZE_PX);
+    let judge = Judge::new(&gpu, SIZE_PX);
     let turns: [fn(Vec3) -> Vec3; 4] = [
         |p| p,
         |p| -p,
@@ -94,7 +94,7 @@ fn a_floor_square_to_the_light_does_not_shadow_itself() {
         for light in lights {
             let scene = box_over_floor(1.0, turn, Vec3::ZERO, light);
             for map in &MAPS[..2] {
-                let (error, _) = errors(&studio, &scene, map);
+                let (error, _) = errors(&judge, &scene, map);
                 assert_eq!(error.artifact_px, 0, "{map} under {light}: {error:?}");
             }
         }
@@ -104,14 +104,14 @@ fn a_floor_square_to_the_light_does_not_shadow_itself() {
 #[test]
 fn no_scene_is_so_far_from_the_origin_that_its_surfaces_shadow_themselves() {
     let gpu = device();
-    let studio = Studio::new(&gpu, SIZE_PX);
+    let judge = Judge::new(&gpu, SIZE_PX);
     for direction in [Vec3::X, Vec3::NEG_Y, Vec3::new(1.0, 1.0, -1.0)] {
         for distance in [256.0, 4096.0, 65536.0] {
             for light in [[0.0, 8.0, 0.0], [3.0, 7.0, 1.0]] {
                 let light = Vec3::from_array(light).extend(1.0);
                 let scene = box_over_floor(1.0, |p| p, distance * direction, light);
                 for map in MAPS {
-                    let (error, acne_px) = errors(&studio, &scene, map);
+                    let (error, acne_px) = errors(&judge, &scene, map);
                     let place = format!("{map} at {distance} × {direction}: {error:?}");
                     assert!(acne_px <= 2 && error.artifact_px <= 4, "{place}");
                     assert!(error.wrong_px() < 150, "{place}");
@@ -125,13 +125,13 @@ fn no_scene_is_so_far_from_the_origin_that_its_surfaces_shadow_themselves() {
 #[test]
 fn the_default_bias_detaches_no_shadow() {
     let gpu = device();
-    let studio = Studio::new(&gpu, SIZE_PX);
+    let judge = Judge::new(&gpu, SIZE_PX);
     for light in [
         Vec4::new(-3.0, 7.0, -2.0, 1.0),
         Vec4::new(-0.4, 1.0, -0.3, 0.0),
     ] {
         let scene = box_over_floor(0.0, |p| p, Vec3::ZERO, light);
-        let (error, _) = errors(&studio, &scene, "shadow_map");
+        let (error, _) = errors(&judge, &scene, "shadow_map");
         assert!(error.artifact_px <= 2, "{light}: {error:?}");
     }
 }

@@ -12,7 +12,7 @@ use svbench::config::find_scene;
 use svbench::methods::{ShadowMethod, parameters::parse_method};
 use svbench::scene::Scene;
 use svbench::stress::metamorphic::Original;
-use svbench::stress::{Change, Changed, Studio, damage, metamorphic, random};
+use svbench::stress::{Change, Changed, Judge, damage, metamorphic, random};
 
 const SIZE_PX: (u32, u32) = (160, 120);
 const METHODS: [&str; 5] = [
@@ -30,11 +30,11 @@ fn methods(ids: &[&str]) -> Vec<Box<dyn ShadowMethod>> {
 /// Checks scenes with all methods, and fails if a mask changed that may not.
 fn assert_unchanged(scenes: impl IntoIterator<Item = Scene>, methods: &[Box<dyn ShadowMethod>]) {
     let gpu = device();
-    let studio = Studio::new(&gpu, SIZE_PX);
+    let judge = Judge::new(&gpu, SIZE_PX);
     let (mut rows, mut faults) = (0, Vec::new());
     for scene in scenes {
         let mut random = ChaCha8Rng::seed_from_u64(rows as u64);
-        let differences = metamorphic::check(&studio, &scene, methods, &mut random).unwrap();
+        let differences = metamorphic::check(&judge, &scene, methods, &mut random).unwrap();
         rows += differences.len();
         for difference in differences {
             let pixels = difference.pixels.as_ref().unwrap();
@@ -112,12 +112,12 @@ fn edge_on_sheet() -> Scene {
 #[test]
 fn edges_that_decide_by_themselves_are_caught() {
     let gpu = device();
-    let studio = Studio::new(&gpu, (640, 480));
+    let judge = Judge::new(&gpu, (640, 480));
     let scene = edge_on_sheet();
     let wrong_px = |method: &str, change: Change| {
         let methods = methods(&[method]);
         let mut random = ChaCha8Rng::seed_from_u64(2);
-        let rows = metamorphic::check(&studio, &scene, &methods, &mut random).unwrap();
+        let rows = metamorphic::check(&judge, &scene, &methods, &mut random).unwrap();
         let row = rows.iter().find(|row| row.change == change).unwrap();
         println!("{row:?}");
         row.wrong_px()
@@ -134,7 +134,7 @@ fn edges_that_decide_by_themselves_are_caught() {
 #[test]
 fn a_change_of_the_shadow_is_caught() {
     let gpu = device();
-    let studio = Studio::new(&gpu, SIZE_PX);
+    let judge = Judge::new(&gpu, SIZE_PX);
     let at = |x: f32| {
         let corners = [(-1.0, -1.0), (0.2, 1.3), (1.1, -0.4)];
         let triangle = corners.map(|(dx, z)| Vec3::new(x + dx, 1.0, z));
@@ -145,7 +145,7 @@ fn a_change_of_the_shadow_is_caught() {
         scene: at(0.7),
         origins: (0..scene.mesh.triangles.len() as u32).collect(),
     };
-    let original = Original::draw(&studio, &scene, &methods);
+    let original = Original::draw(&judge, &scene, &methods);
     for pixels in original.compare(&changed).unwrap() {
         let pixels = pixels.unwrap();
         println!("{pixels:?}");

@@ -9,7 +9,7 @@ use glam::{Vec3, Vec4};
 use std::path::Path;
 use svbench::bench::Verifier;
 use svbench::config::find_scene;
-use svbench::frame::Stage;
+use svbench::frame::FrameResources;
 use svbench::gpu::{Gpu, readback};
 use svbench::methods::{PrepareContext, parameters::parse_method};
 use svbench::metrics::MaskError;
@@ -45,7 +45,7 @@ fn draw_all<'a>(
     scene: &Scene,
     methods: impl IntoIterator<Item = &'a str>,
 ) -> Vec<Drawn> {
-    let stage = Stage::new(gpu, scene, SIZE_PX.0, SIZE_PX.1).unwrap();
+    let stage = FrameResources::new(gpu, scene, SIZE_PX.0, SIZE_PX.1).unwrap();
     let context = PrepareContext::new(gpu, scene, &stage);
     let cache = ReferenceCache::open(None);
     let verifier = Verifier::new(gpu, scene, &stage, &cache).unwrap();
@@ -222,7 +222,7 @@ fn z_pass_fails_where_the_eye_is_in_shadow_and_auto_does_not() {
 fn splitting_edges_is_counted() {
     let gpu = device();
     let scene = scene_over_ground(&fan(40), 0.0, POINT_LIGHT, &view());
-    let stage = Stage::new(&gpu, &scene, 64, 64).unwrap();
+    let stage = FrameResources::new(&gpu, &scene, 64, 64).unwrap();
     let context = PrepareContext::new(&gpu, &scene, &stage);
     let counters = |method: &str| {
         let prepared = parse_method(method).unwrap().prepare(&context).unwrap();
@@ -425,7 +425,7 @@ fn a_cube_map_needs_a_light_at_a_point() {
     let gpu = device();
     let light = Vec4::new(0.3, 1.0, 0.2, 0.0);
     let scene = scene_over_ground(&fan(3), 0.0, light, &view());
-    let stage = Stage::new(&gpu, &scene, 8, 8).unwrap();
+    let stage = FrameResources::new(&gpu, &scene, 8, 8).unwrap();
     let context = PrepareContext::new(&gpu, &scene, &stage);
     let refused = parse_method("cube_shadow_map").unwrap().prepare(&context);
     let reason = refused.err().unwrap().to_string();

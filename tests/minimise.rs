@@ -15,12 +15,12 @@ use svbench::bench::Observer;
 use svbench::gpu::Gpu;
 use svbench::methods::parameters::parse_method;
 use svbench::scene::{ModelSearch, Scene, SceneFile, export};
-use svbench::stress::Studio;
+use svbench::stress::Judge;
 use svbench::stress::minimise::minimise;
 
 const SIZE_PX: (u32, u32) = (160, 120);
 const HAY: usize = 10_000;
-const MOST_LEFT: usize = 12;
+const MAX_LEFT: usize = 12;
 
 struct Nobody;
 
@@ -51,10 +51,10 @@ fn soup(seed: u64) -> Vec<[Vec3; 3]> {
 
 /// Minimises, writes, reads and draws again.
 fn shrink(gpu: &Gpu, scene: &Scene, method: &str) {
-    let studio = Studio::new(gpu, SIZE_PX);
+    let judge = Judge::new(gpu, SIZE_PX);
     let methods = [parse_method(method).unwrap()];
     let artifact_px = |scene: &Scene| -> anyhow::Result<u64> {
-        Ok(studio.judge(scene, &methods).attempts[0].artifact_px())
+        Ok(judge.judge(scene, &methods).attempts[0].artifact_px())
     };
     let started = Instant::now();
     let mut fails = |scene: &Scene| Ok(artifact_px(scene)? > 0);
@@ -68,7 +68,7 @@ fn shrink(gpu: &Gpu, scene: &Scene, method: &str) {
         started.elapsed().as_secs_f64()
     );
     assert!(minimised.finished);
-    assert!(minimised.scene.mesh.triangles.len() <= MOST_LEFT);
+    assert!(minimised.scene.mesh.triangles.len() <= MAX_LEFT);
 
     let folder = tempfile::tempdir().unwrap();
     let path = export::write(&minimised.scene, folder.path(), "left").unwrap();

@@ -6,7 +6,7 @@ mod common;
 use common::device;
 use svbench::methods::ShadowMethod;
 use svbench::methods::parameters::parse_method;
-use svbench::stress::{Attempt, Finding, Studio, find_cause, random};
+use svbench::stress::{Attempt, Finding, Judge, find_cause, random};
 
 const SIZE_PX: (u32, u32) = (160, 120);
 /// What promises to be exact.
@@ -23,9 +23,9 @@ fn methods(ids: &[&str]) -> Vec<Box<dyn ShadowMethod>> {
 }
 
 /// Artifact pixels of a method at a value of a cause.
-fn artifacts(studio: &Studio, id: &str, cause: &str, value: f64) -> u64 {
+fn artifacts(judge: &Judge, id: &str, cause: &str, value: f64) -> u64 {
     let scene = find_cause(cause).unwrap().scene(value, 0);
-    let trial = studio.judge(&scene, &methods(&[id]));
+    let trial = judge.judge(&scene, &methods(&[id]));
     assert!(trial.attempts[0].drawn().is_some(), "{id} at {cause}");
     trial.attempts[0].artifact_px()
 }
@@ -37,16 +37,16 @@ const SOME_PX: u64 = 50;
 #[test]
 fn z_pass_fails_once_the_eye_is_in_a_volume_and_not_before() {
     let gpu = device();
-    let studio = Studio::new(&gpu, SIZE_PX);
+    let judge = Judge::new(&gpu, SIZE_PX);
     for method in ["silhouette_ts", "silhouette_gs", "triangle_gs"] {
         let z_pass = format!("{method},counting=z_pass");
-        let at = |share| artifacts(&studio, &z_pass, "eye_in_volume", share);
+        let at = |share| artifacts(&judge, &z_pass, "eye_in_volume", share);
         assert_eq!(at(0.0), 0, "{method}: clear of the volume");
         assert!(at(0.5) > MANY_PX, "{method}: the near rectangle is cut");
         assert!(at(1.0) > MANY_PX, "{method}: inside");
         let auto = format!("{method},counting=auto");
         assert!(
-            artifacts(&studio, &auto, "eye_in_volume", 1.0) <= 2,
+            artifacts(&judge, &auto, "eye_in_volume", 1.0) <= 2,
             "{method}"
         );
     }
@@ -55,18 +55,18 @@ fn z_pass_fails_once_the_eye_is_in_a_volume_and_not_before() {
 #[test]
 fn edges_that_decide_for_themselves_leak_where_a_triangle_is_edge_on() {
     let gpu = device();
-    let studio = Studio::new(&gpu, SIZE_PX);
+    let judge = Judge::new(&gpu, SIZE_PX);
     for method in ["silhouette_ts", "silhouette_gs"] {
         let none = format!("{method},determinism=none");
         assert!(
-            artifacts(&studio, &none, "edge_on", 1.0) > SOME_PX,
+            artifacts(&judge, &none, "edge_on", 1.0) > SOME_PX,
             "{method}"
         );
         for determinism in ["reference_edge", "consistent_triangle"] {
             let sound = format!("{method},determinism={determinism}");
             for value in [0.0, 1.0, 8.0] {
                 assert_eq!(
-                    artifacts(&studio, &sound, "edge_on", value),
+                    artifacts(&judge, &sound, "edge_on", value),
                     0,
                     "{sound} {value}"
                 );
@@ -78,11 +78,11 @@ fn edges_that_decide_for_themselves_leak_where_a_triangle_is_edge_on() {
 #[test]
 fn a_counter_of_eight_bits_is_zero_again_at_256() {
     let gpu = device();
-    let studio = Studio::new(&gpu, SIZE_PX);
+    let judge = Judge::new(&gpu, SIZE_PX);
     for method in ROBUST {
         // An open sheet is counted once, a closed shell twice: on its way in and on its way out.
         for (cause, wraps_at) in [("stacked_sheets", 256.0), ("nested_shells", 128.0)] {
-            let at = |count: f64| artifacts(&studio, method, cause, count);
+            let at = |count: f64| artifacts(&judge, method, cause, count);
             assert!(at(wraps_at - 2.0) <= 5, "{method}, {cause}: before");
             assert!(at(wraps_at) > SOME_PX, "{method}, {cause}: at {wraps_at}");
             assert!(at(2.0 * wraps_at) > SOME_PX, "{method}, {cause}: again");
@@ -94,12 +94,12 @@ fn a_counter_of_eight_bits_is_zero_again_at_256() {
 #[test]
 fn a_map_without_bias_shadows_itself() {
     let gpu = device();
-    let studio = Studio::new(&gpu, SIZE_PX);
+    let judge = Judge::new(&gpu, SIZE_PX);
     let px = u64::from(SIZE_PX.0 * SIZE_PX.1);
     for method in ["shadow_map", "cube_shadow_map"] {
         let of = |bias: &str| {
             let id = format!("{method},resolution=1024,{bias}");
-            artifacts(&studio, &id, "scale_up", 0.0)
+            artifacts(&judge, &id, "scale_up", 0.0)
         };
         let without = of("slope_bias=0.0,constant_bias=0");
         assert!(without > px / 10, "{method}: {without}");
@@ -118,12 +118,12 @@ const SEEDS_THAT_FAILED: [u64; 41] = [
 #[test]
 fn random_scenes_bring_no_robust_method_down() {
     let gpu = device();
-    let studio = Studio::new(&gpu, SIZE_PX);
+    let judge = Judge::new(&gpu, SIZE_PX);
     let methods = methods(&ROBUST);
     let mut faults = Vec::new();
     let mut shadowed = 0;
     for seed in SEEDS_THAT_FAILED.into_iter().chain(20_000..20_150) {
-        let trial = studio.judge(&random::case(seed), &methods);
+        let trial = judge.judge(&random::case(seed), &methods);
         shadowed += trial
             .truth
             .unwrap()
@@ -149,10 +149,10 @@ fn random_scenes_bring_no_robust_method_down() {
 #[test]
 fn a_wrong_method_does_not_survive_random_scenes() {
     let gpu = device();
-    let studio = Studio::new(&gpu, SIZE_PX);
+    let judge = Judge::new(&gpu, SIZE_PX);
     let wrong = methods(&["silhouette_gs,counting=z_pass"]);
     let is_wrong = |seed: &u64| {
-        let trial = studio.judge(&random::case(*seed), &wrong);
+        let trial = judge.judge(&random::case(*seed), &wrong);
         trial.attempts[0].artifact_px() > 0
     };
     let wrong = (0..40).filter(is_wrong).count();

@@ -9,7 +9,7 @@ use glam::{Vec3, Vec4};
 use std::path::Path;
 use svbench::bench::Verifier;
 use svbench::config::{builtin_scenes, find_scene};
-use svbench::frame::Stage;
+use svbench::frame::FrameResources;
 use svbench::gpu::Gpu;
 use svbench::methods::{PrepareContext, parameters::parse_method};
 use svbench::metrics::{Label, MaskError};
@@ -37,7 +37,7 @@ fn draw(gpu: &Gpu, scene: &Scene, method: &str, time_s: f64) -> Drawn {
     let method = parse_method(method).unwrap();
     let depth = method.depth_setup();
     depth.check(gpu).unwrap();
-    let stage = Stage::new(gpu, scene, SIZE_PX.0, SIZE_PX.1)
+    let stage = FrameResources::new(gpu, scene, SIZE_PX.0, SIZE_PX.1)
         .unwrap()
         .with_depth(gpu, depth)
         .unwrap();
@@ -178,7 +178,7 @@ fn a_filtered_cube_has_no_seams() {
 fn a_bias_is_not_searched_for_outside_of_runs() {
     let gpu = device();
     let scene = builtin("sphere_grid");
-    let stage = Stage::new(&gpu, &scene, 8, 8).unwrap();
+    let stage = FrameResources::new(&gpu, &scene, 8, 8).unwrap();
     let context = PrepareContext::new(&gpu, &scene, &stage);
     let method = parse_method("shadow_map,slope_bias=search").unwrap();
     let reason = method.prepare(&context).err().unwrap().to_string();
@@ -195,7 +195,7 @@ fn hardly_a_pixel_of_any_scene_is_ambiguous() {
             Err(SceneError::MissingModel { .. }) => continue,
             scene => scene.unwrap(),
         };
-        let stage = Stage::new(&gpu, &scene, SIZE_PX.0, SIZE_PX.1).unwrap();
+        let stage = FrameResources::new(&gpu, &scene, SIZE_PX.0, SIZE_PX.1).unwrap();
         let verifier = Verifier::new(&gpu, &scene, &stage, &cache).unwrap();
         for part in [0.1, 0.35, 0.6, 0.85] {
             let time_s = part * scene.camera.duration_s();

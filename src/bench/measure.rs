@@ -5,7 +5,7 @@ use super::Observer;
 use super::cell::CellRun;
 use super::fault::{RunDirError, in_one_line};
 use super::run_dir::RunDir;
-use crate::frame::{GBUFFER_STAGE, SHADE_STAGE, Stage};
+use crate::frame::{FrameResources, GBUFFER_STAGE, SHADE_STAGE};
 use crate::gpu::{FrameTimer, Gpu, StageTimes};
 use crate::scene::Scene;
 use rand::SeedableRng;
@@ -59,7 +59,7 @@ struct Tag {
 pub(super) fn measure(
     gpu: &Gpu,
     scene: &Scene,
-    stages: &[Stage],
+    stages: &[FrameResources],
     cells: &mut [CellRun<'_>],
     schedule: Schedule,
     (observer, dir): (&dyn Observer, &mut RunDir),
@@ -124,7 +124,7 @@ struct Flight<'a, 'b> {
 
 impl Flight<'_, '_> {
     /// Draws one frame, unless its cell has broken before.
-    fn draw(&mut self, stage: &Stage, tag: Tag) -> Result<(), RunDirError> {
+    fn draw(&mut self, stage: &FrameResources, tag: Tag) -> Result<(), RunDirError> {
         // First, lest what has come to its end gets lost if this frame breaks.
         match self.timer.make_room(self.gpu) {
             Ok(done) => done.map_or(Ok(()), |done| self.keep(done))?,

@@ -6,7 +6,7 @@ use super::record::Status;
 use super::run_dir::RunDir;
 use super::verify::Truth;
 use super::{RunRequest, Verifier, bias_search};
-use crate::frame::Stage;
+use crate::frame::FrameResources;
 use crate::methods::{self, BiasSearch, MethodError, PrepareContext};
 use anyhow::Context;
 use std::rc::Rc;
@@ -16,7 +16,7 @@ pub(super) struct Preparation<'a> {
     pub request: &'a RunRequest<'a>,
     pub context: &'a PrepareContext<'a>,
     /// One for each depth buffer that cells are drawn with.
-    pub stages: &'a [Stage],
+    pub stages: &'a [FrameResources],
     /// One for each stage, if anything is verified or searched.
     pub verifiers: &'a [Verifier<'a>],
     /// Of each stage, once somebody searches on it.

@@ -9,7 +9,7 @@ use super::run_dir::RunDir;
 use super::verify_cells::verify_cells;
 use super::{RunRequest, Verifier, bias_search};
 use crate::config::{MethodPlan, ScenePlan};
-use crate::frame::{SceneBuffers, Stage};
+use crate::frame::{FrameResources, SceneBuffers};
 use crate::gpu::Gpu;
 use crate::methods::PrepareContext;
 use crate::metrics;
@@ -189,7 +189,7 @@ impl<'a> SceneRun<'a> {
         let verified = request.plan.verified_frames() > 0;
         let open = || self.cells.iter().filter(|run| run.is_open());
         let setups = open().map(|run| run.plan.method.depth_setup());
-        let stages = Stage::for_setups(gpu, scene, request.plan.size_px, setups)
+        let stages = FrameResources::for_setups(gpu, scene, request.plan.size_px, setups)
             .context("the scene cannot be drawn")?;
         let context = PrepareContext::new(gpu, scene, &stages[0]);
         let searched = open().any(|run| run.plan.method.bias_search().is_some());

@@ -1,6 +1,6 @@
 //! Checking a method's mask against the ray-traced truth, in frames that nobody times.
 
-use crate::frame::{FrameView, Stage};
+use crate::frame::{FrameResources, FrameView};
 use crate::gpu::{FrameRecorder, Gpu, readback};
 use crate::memory;
 use crate::methods::PreparedMethod;
@@ -26,7 +26,7 @@ const TRUTH_BYTES_PER_PIXEL: u64 = 64;
 pub struct Verifier<'a> {
     gpu: &'a Gpu,
     scene: &'a Scene,
-    stage: &'a Stage,
+    stage: &'a FrameResources,
     reference: Rc<Reference>,
     cache: &'a ReferenceCache,
     /// The light of the pictures; at first the scene's.
@@ -76,7 +76,7 @@ impl<'a> Verifier<'a> {
     pub fn new(
         gpu: &'a Gpu,
         scene: &'a Scene,
-        stage: &'a Stage,
+        stage: &'a FrameResources,
         cache: &'a ReferenceCache,
     ) -> anyhow::Result<Self> {
         let mesh = &scene.mesh;
@@ -99,7 +99,7 @@ impl<'a> Verifier<'a> {
     }
 
     /// The same for frames that are drawn on another stage of the scene.
-    pub fn on(&self, stage: &'a Stage) -> Self {
+    pub fn on(&self, stage: &'a FrameResources) -> Self {
         Self {
             stage,
             reference: Rc::clone(&self.reference),

@@ -17,7 +17,7 @@ use anyhow::Context;
 const FRAME_S: f64 = 1.0 / 60.0;
 
 /// Regions of artifact pixels that are kept of each frame, the largest ones.
-const MOST_REGIONS: usize = 8;
+const MAX_REGIONS: usize = 8;
 
 /// Compares every method with the truth in some frames of the flight, and keeps the pictures of the
 /// first. `verifiers` has one for each stage that cells are drawn on. A cell that cannot be compared ends; where
@@ -249,7 +249,7 @@ fn frame_error(cell: &Cell, judgement: &Judgement) -> FrameError {
 }
 
 fn regions(cell: &Cell, frame: u32, judgement: &Judgement) -> Vec<RegionRow> {
-    let largest = judgement.analysis.regions.iter().take(MOST_REGIONS);
+    let largest = judgement.analysis.regions.iter().take(MAX_REGIONS);
     largest
         .map(|region| RegionRow {
             scene: cell.scene.clone(),

@@ -10,7 +10,7 @@ use crate::methods::parameters::parse_method;
 use crate::methods::{REGISTRY, ShadowMethod};
 use crate::output;
 use crate::scene::export;
-use crate::stress::{Failure, Finding, FuzzPlan, Studio, Tally, fuzz};
+use crate::stress::{Failure, Finding, FuzzPlan, Judge, Tally, fuzz};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -55,8 +55,8 @@ pub(super) fn execute(args: &FuzzArgs) -> anyhow::Result<()> {
         seeds: seeds(args),
         budget: args.seconds.map(Duration::from_secs),
     };
-    let studio = Studio::new(&gpu, args.size);
-    let tallies = fuzz(&studio, &methods, &plan, &progress, |failure| {
+    let judge = Judge::new(&gpu, args.size);
+    let tallies = fuzz(&judge, &methods, &plan, &progress, |failure| {
         progress.print(&format!("{}\n", line(failure, &methods)));
         match &args.out {
             Some(out) => keep(failure, methods[failure.method].as_ref(), out, args.size),

@@ -9,7 +9,7 @@ use crate::gpu::Requirement;
 use crate::methods::{REGISTRY, ShadowMethod, parameters};
 use crate::scene::{Scene, SceneError};
 use crate::stress::metamorphic::{self, Difference};
-use crate::stress::{Change, NoPicture, Studio, damage, random};
+use crate::stress::{Change, Judge, NoPicture, damage, random};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use std::collections::BTreeSet;
@@ -52,7 +52,7 @@ struct Row {
 
 /// What is the same for all scenes, and what came of them.
 struct Checks {
-    studio: Studio,
+    judge: Judge,
     methods: Vec<Box<dyn ShadowMethod>>,
     unavailable: BTreeSet<String>,
     /// Masks that changed and may not.
@@ -68,7 +68,7 @@ pub(super) fn execute(args: &MetamorphicArgs) -> anyhow::Result<()> {
     let gpu = args.device.open()?;
     check_size(&gpu, args.size, "--size")?;
     let mut checks = Checks {
-        studio: Studio::new(&gpu, args.size),
+        judge: Judge::new(&gpu, args.size),
         methods,
         unavailable: BTreeSet::new(),
         wrong: 0,
@@ -129,7 +129,7 @@ impl Checks {
 
     fn check(&mut self, row: &mut Row, scene: &Scene, seed: u64) {
         let mut random = ChaCha8Rng::seed_from_u64(seed);
-        let checked = metamorphic::check(&self.studio, scene, &self.methods, &mut random);
+        let checked = metamorphic::check(&self.judge, scene, &self.methods, &mut random);
         let differences = checked.unwrap_or_else(|error| {
             self.failed += 1;
             self.progress.print(&format!("{}: {error:#}\n", scene.name));

@@ -9,7 +9,7 @@ use crate::file_name::file_name;
 use crate::methods::{ShadowMethod, parameters};
 use crate::scene::{CameraKey, CameraPath, ModelSearch, Scene, SceneFile, View, export};
 use crate::stress::minimise::{MinimiseError, Minimised, minimise};
-use crate::stress::{Attempt, Drawn, NoPicture, Studio};
+use crate::stress::{Attempt, Drawn, Judge, NoPicture};
 use anyhow::Context;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
@@ -71,14 +71,14 @@ pub(super) fn execute(args: &MinimiseArgs) -> anyhow::Result<()> {
     let earlier = earlier::read(&path, &scene)?;
     let gpu = args.device.open()?;
     check_size(&gpu, args.size, "--size")?;
-    let studio = Studio::new(&gpu, args.size);
+    let judge = Judge::new(&gpu, args.size);
     let progress = Progress::counting("triangles left out")?;
     let started = Instant::now();
     let watch = Limited {
         progress: &progress,
         deadline: started + Duration::from_secs(args.seconds.into()),
     };
-    let minimised = search(&scene, &studio, &methods, args, &watch);
+    let minimised = search(&scene, &judge, &methods, args, &watch);
     progress.finish();
     let minimised = minimised?;
     for note in &scene.notes {
@@ -101,7 +101,7 @@ pub(super) fn execute(args: &MinimiseArgs) -> anyhow::Result<()> {
         },
     );
     let best = match earlier {
-        Some(earlier) if is_better(&earlier, &minimised, &studio, &methods)? => {
+        Some(earlier) if is_better(&earlier, &minimised, &judge, &methods)? => {
             text.push_str(&format!(
                 "{} stays: an earlier search has left {} triangles there\n",
                 path.display(),
@@ -114,7 +114,7 @@ pub(super) fn execute(args: &MinimiseArgs) -> anyhow::Result<()> {
             minimised.scene
         }
     };
-    let judgement = judge_again(&studio, &path, &best, &methods)?.judgement;
+    let judgement = judge_again(&judge, &path, &best, &methods)?.judgement;
     text.push_str(&wrong_pixels(&judgement.error));
     text.push_str(&kinds_of_error(judgement.analysis.label_counts()));
     text.push_str(&format!("look at it: {}\n", look_at_it(&path, args)));
@@ -134,25 +134,25 @@ pub(super) fn execute(args: &MinimiseArgs) -> anyhow::Result<()> {
 fn is_better(
     earlier: &Scene,
     new: &Minimised,
-    studio: &Studio,
+    judge: &Judge,
     methods: &[Box<dyn ShadowMethod>; 1],
 ) -> anyhow::Result<bool> {
     let [earlier_count, new_count] = [earlier, &new.scene].map(|scene| scene.mesh.triangles.len());
     let may_stay = earlier_count < new_count || (earlier_count == new_count && !new.finished);
-    Ok(may_stay && attempt(studio, earlier, methods)?.artifact_px() > 0)
+    Ok(may_stay && attempt(judge, earlier, methods)?.artifact_px() > 0)
 }
 
 /// The scene as small as can be, or in words why not.
 fn search(
     scene: &Scene,
-    studio: &Studio,
+    judge: &Judge,
     methods: &[Box<dyn ShadowMethod>; 1],
     args: &MinimiseArgs,
     watch: &Limited<'_>,
 ) -> anyhow::Result<Minimised> {
     let mut unavailable = None;
     let mut fails = |scene: &Scene| {
-        let attempt = attempt(studio, scene, methods)?;
+        let attempt = attempt(judge, scene, methods)?;
         if let Attempt::Missing(NoPicture::Unavailable(reason)) = &attempt {
             unavailable.get_or_insert_with(|| reason.clone());
         }
@@ -197,11 +197,11 @@ fn still(scene: Scene, view: &View, method: &str) -> Scene {
 }
 
 fn attempt(
-    studio: &Studio,
+    judge: &Judge,
     scene: &Scene,
     methods: &[Box<dyn ShadowMethod>; 1],
 ) -> anyhow::Result<Attempt> {
-    let attempts = studio.judge(scene, methods).attempts;
+    let attempts = judge.judge(scene, methods).attempts;
     let attempt = attempts.into_iter().next();
     match attempt.context("a method has an attempt")? {
         Attempt::Missing(NoPicture::Failed(reason)) => {
@@ -222,7 +222,7 @@ fn nothing_to_shrink(scene: &Scene, args: &MinimiseArgs) -> String {
 
 /// Reads what was written and draws it.
 fn judge_again(
-    studio: &Studio,
+    judge: &Judge,
     path: &Path,
     written: &Scene,
     methods: &[Box<dyn ShadowMethod>; 1],
@@ -235,7 +235,7 @@ fn judge_again(
         "{} reads as another scene; is there another model of that name in the working directory?",
         path.display()
     );
-    match attempt(studio, &scene, methods)? {
+    match attempt(judge, &scene, methods)? {
         Attempt::Drawn(drawn) if drawn.judgement.error.artifact_px > 0 => Ok(drawn),
         Attempt::Drawn(_) => anyhow::bail!("{}: failed, but does not now", path.display()),
         Attempt::Missing(missing) => anyhow::bail!("{}: {}", path.display(), missing.reason()),

@@ -4,7 +4,7 @@ use super::shot::{ShotArgs, kinds_of_error, wrong_pixels};
 use super::{DeviceArgs, check_size, outputs, reference_cache, values};
 use crate::bench::Verifier;
 use crate::console;
-use crate::frame::Stage;
+use crate::frame::FrameResources;
 use crate::gpu::{FrameTimer, StageTimes};
 use crate::image::Image;
 use crate::methods::{self, MethodError, PrepareContext, parameters};
@@ -97,7 +97,7 @@ pub(super) fn execute(args: &RenderArgs) -> anyhow::Result<()> {
     info.check(&gpu).map_err(MethodError::Unavailable)?;
     let depth = method.depth_setup();
     depth.check(&gpu).map_err(MethodError::Unavailable)?;
-    let stage = Stage::new(&gpu, &scene, width, height)?.with_depth(&gpu, depth)?;
+    let stage = FrameResources::new(&gpu, &scene, width, height)?.with_depth(&gpu, depth)?;
     let context = PrepareContext::new(&gpu, &scene, &stage);
     let prepared = methods::prepare(method.as_ref(), &context)
         .with_context(|| format!("method `{}`", info.id))?;

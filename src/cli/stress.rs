@@ -11,7 +11,7 @@ use crate::gpu::{Gpu, shader};
 use crate::methods::parameters::parse_method;
 use crate::report::{self, stability::StressRun};
 use crate::stress::record::{FAILURES_DIR, FORMAT, Outcome, ROWS_FILE, StressInfo, StressMethod};
-use crate::stress::{StressRequest, Studio, sweep};
+use crate::stress::{Judge, StressRequest, sweep};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -57,7 +57,7 @@ pub(super) fn execute(args: &StressArgs) -> anyhow::Result<()> {
     let mut info = info(&plan, &gpu);
     info.write(&out)?;
     let rows = sweep(&StressRequest {
-        studio: &Studio::new(&gpu, plan.size_px),
+        judge: &Judge::new(&gpu, plan.size_px),
         causes: &plan.causes,
         methods: &plan.methods,
         seed: plan.seed,

@@ -16,9 +16,9 @@ use toml::Spanned;
 use toml::de::{DeTable, Deserializer};
 
 /// Largest number of frames or rounds; more is a slip of the finger.
-const MOST_FRAMES: u32 = 1_000_000;
+const MAX_FRAMES: u32 = 1_000_000;
 /// Largest picture side that any device can draw.
-const MOST_PIXELS: u32 = 1 << 16;
+const MAX_PIXELS: u32 = 1 << 16;
 
 /// All keys but `methods`, whose tables belong to the methods.
 #[derive(Deserialize)]
@@ -204,8 +204,8 @@ fn parse(text: &str, base: &Path, scale: &str) -> Result<RunPlan, Misplaced> {
     Ok(RunPlan {
         title: wire.title,
         size_px: (width, height),
-        frames: in_range(&wire.frames, "frames", 1, MOST_FRAMES)?,
-        warmup_frames: in_range(&wire.warmup_frames, "warmup_frames", 0, MOST_FRAMES)?,
+        frames: in_range(&wire.frames, "frames", 1, MAX_FRAMES)?,
+        warmup_frames: in_range(&wire.warmup_frames, "warmup_frames", 0, MAX_FRAMES)?,
         verification: Verification {
             frames: verified_frames,
             flicker: wire.flicker,
@@ -239,13 +239,13 @@ fn verified_frames(wire: &Wire) -> Result<VerifiedFrames, Misplaced> {
             every,
             "verify_every",
             1,
-            MOST_FRAMES,
+            MAX_FRAMES,
         )?)),
         (Some(count), None) => Ok(VerifiedFrames::Spread(in_range(
             count,
             "verified_frames",
             0,
-            MOST_FRAMES,
+            MAX_FRAMES,
         )?)),
         (None, None) => Ok(VerifiedFrames::Spread(VERIFIED_FRAMES)),
     }
@@ -297,21 +297,21 @@ fn read_scene(wire: &SceneWire, base: &Path) -> Result<ScenePlan, Misplaced> {
 }
 
 pub(super) fn check_size((width, height): (u32, u32)) -> Result<(), String> {
-    let side = 1..=MOST_PIXELS;
+    let side = 1..=MAX_PIXELS;
     if side.contains(&width) && side.contains(&height) {
         return Ok(());
     }
     Err(format!(
-        "a picture of {width} × {height} pixels; both sides must be 1 to {MOST_PIXELS}"
+        "a picture of {width} × {height} pixels; both sides must be 1 to {MAX_PIXELS}"
     ))
 }
 
 /// Checks the numbers that the command line may have changed.
 pub(super) fn check_counts(plan: &RunPlan) -> Result<(), String> {
     check_size(plan.size_px)?;
-    if !(1..=MOST_FRAMES).contains(&plan.frames) {
+    if !(1..=MAX_FRAMES).contains(&plan.frames) {
         return Err(format!(
-            "{} frames; it must be 1 to {MOST_FRAMES}",
+            "{} frames; it must be 1 to {MAX_FRAMES}",
             plan.frames
         ));
     }

@@ -8,7 +8,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue, ValueDeserializer};
 
 /// More methods than this from one table are a slip of the finger.
-const MOST_POINTS: usize = 1000;
+const MAX_POINTS: usize = 1000;
 
 /// A parameter with every value that it is to take, the first one in `values` first.
 struct Axis<'a> {
@@ -78,10 +78,10 @@ pub(super) fn expand<R>(
     }
     let points = axes.iter().try_fold(1, |points: usize, (key, axis)| {
         let points = points.saturating_mul(axis.values.len());
-        if points <= MOST_POINTS {
+        if points <= MAX_POINTS {
             return Ok(points);
         }
-        let message = format!("lists of {points} values together; at most {MOST_POINTS} are run");
+        let message = format!("lists of {points} values together; at most {MAX_POINTS} are run");
         Err(Misplaced::new(key.span(), message))
     })?;
     let lengths = axes
@@ -198,9 +198,9 @@ fn range(name: &str, value: &Spanned<DeValue<'_>>) -> Result<Vec<String>, Mispla
     let numbers: Vec<f64> = (0..)
         .map(|i| next(from, by.value(), i))
         .take_while(|value| *value <= most)
-        .take(MOST_POINTS + 1)
+        .take(MAX_POINTS + 1)
         .collect();
-    if numbers.is_empty() || numbers.len() > MOST_POINTS {
+    if numbers.is_empty() || numbers.len() > MAX_POINTS {
         let message = format!("a range from {from} to {to} of no value, or of too many");
         return Err(misplaced(message));
     }

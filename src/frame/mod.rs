@@ -38,7 +38,7 @@ pub const GBUFFER_STAGE: &str = "gbuffer";
 pub const SHADE_STAGE: &str = "shade";
 
 /// Everything that the frames of one scene at one size share, whatever the method.
-pub struct Stage {
+pub struct FrameResources {
     /// The scene's meshes on the device.
     pub scene: Rc<SceneBuffers>,
     /// What the frame is drawn into.
@@ -55,7 +55,7 @@ pub struct Stage {
     shade: Shade,
 }
 
-impl Stage {
+impl FrameResources {
     /// Uploads `scene` and makes targets of `width` × `height` pixels.
     ///
     /// # Errors

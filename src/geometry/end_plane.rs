@@ -20,7 +20,7 @@ const ROUNDING: f64 = 1e-5;
 
 /// A caster at this part of the light's distance from the plane is the farthest from the plane that is
 /// allowed: beyond it, far ends would be flung too far away, and above it there would be none.
-const MOST_HEIGHT: f64 = 0.9;
+const MAX_HEIGHT: f64 = 0.9;
 
 /// The plane on which all shadow volumes may end: the coefficients e, with e · (p, 1) ≥ 0 for all of
 /// the scene; [`AT_INFINITY`] where there is no such plane among the sides of the scene's box.
@@ -50,7 +50,7 @@ pub fn end_plane(scene: Bounds, casters: Bounds, light: Vec4) -> Vec4 {
             let cosine = inward.dot(light_at.normalize());
             (cosine > 0.0).then_some(1.0 - cosine)
         }?;
-        (height <= MOST_HEIGHT).then(|| (height, inward.extend(distance).as_vec4()))
+        (height <= MAX_HEIGHT).then(|| (height, inward.extend(distance).as_vec4()))
     });
     candidates
         .min_by(|a, b| a.0.total_cmp(&b.0))

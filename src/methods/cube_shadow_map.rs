@@ -6,7 +6,7 @@ use super::depth_map::{self, DepthMap, MapKind, MapParameters};
 use super::frustum::NEAR_BY_FAR;
 use super::light_depth::{self, LightView, Lookup, Rounding};
 use super::{Bound, Limit, MethodError, MethodInfo, PrepareContext, PreparedMethod, Texels};
-use crate::frame::Stage;
+use crate::frame::FrameResources;
 use crate::frame::fullscreen::bind_group;
 use crate::geometry::Bounds;
 use crate::gpu::FrameRecorder;
@@ -224,7 +224,7 @@ fn near_distance(casters: Bounds, light: DVec3) -> f32 {
 }
 
 impl PreparedMethod for PreparedCube {
-    fn record(&self, frame: &mut FrameRecorder<'_>, stage: &Stage) {
+    fn record(&self, frame: &mut FrameRecorder<'_>, stage: &FrameResources) {
         frame.stage("map", |encoder| {
             let draw = |face: &Face| {
                 let how = (&self.pipeline, &face.light);

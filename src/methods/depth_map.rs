@@ -65,7 +65,7 @@ pub(super) const LIMITS: &[Limit] = &[
 ];
 
 /// Largest square of percentage-closer filtering.
-const MOST_PCF: u32 = 15;
+const MAX_PCF: u32 = 15;
 
 /// The bias by the slope of a surface, in texels.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -174,7 +174,7 @@ impl<K: MapKind> Parameters for DepthMap<K> {
         if let SlopeBias::Fixed(texels) = self.slope_bias {
             in_range("slope_bias", texels, 0.0..=1e6)?;
         }
-        in_range("pcf", self.pcf, 1..=MOST_PCF)?;
+        in_range("pcf", self.pcf, 1..=MAX_PCF)?;
         if self.pcf.is_multiple_of(2) {
             return Err(format!("`pcf` is {}; it must be odd", self.pcf));
         }

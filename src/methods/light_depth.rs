@@ -5,7 +5,7 @@ use crate::frame::fullscreen::{
     self, FullscreenDesc, bind_group, bind_group_layout, texture_binding,
 };
 use crate::frame::targets::MASK_FORMAT;
-use crate::frame::{SceneBuffers, Stage};
+use crate::frame::{FrameResources, SceneBuffers};
 use crate::geometry::Bounds;
 use crate::gpu::{FrameRecorder, Gpu, shader};
 use bytemuck::{Pod, Zeroable};
@@ -221,7 +221,7 @@ impl Lookup {
     }
 
     /// Records the stage `lookup`.
-    pub(super) fn record(&self, frame: &mut FrameRecorder<'_>, stage: &Stage) {
+    pub(super) fn record(&self, frame: &mut FrameRecorder<'_>, stage: &FrameResources) {
         frame.stage("lookup", |encoder| {
             let mask = &stage.targets.mask_view;
             let load = wgpu::LoadOp::Load;

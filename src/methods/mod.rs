@@ -24,7 +24,7 @@ pub use limit::{Bound, Limit};
 pub use parameters::ParameterError;
 pub use registry::{REGISTRY, Registration, find};
 
-use crate::frame::{DepthSetup, Stage};
+use crate::frame::{DepthSetup, FrameResources};
 use crate::geometry::Topology;
 use crate::gpu::{DeviceError, FrameRecorder, Gpu, Requirement};
 use crate::scene::Scene;
@@ -113,13 +113,13 @@ pub struct PrepareContext<'a> {
     /// The scene as data.
     pub scene: &'a Scene,
     /// The scene on the device, targets and view.
-    pub stage: &'a Stage,
+    pub stage: &'a FrameResources,
     topology: Rc<OnceCell<Topology>>,
 }
 
 impl<'a> PrepareContext<'a> {
     /// For the methods of one scene.
-    pub fn new(gpu: &'a Gpu, scene: &'a Scene, stage: &'a Stage) -> Self {
+    pub fn new(gpu: &'a Gpu, scene: &'a Scene, stage: &'a FrameResources) -> Self {
         Self {
             gpu,
             scene,
@@ -132,7 +132,7 @@ impl<'a> PrepareContext<'a> {
     pub fn sharing(
         gpu: &'a Gpu,
         scene: &'a Scene,
-        stage: &'a Stage,
+        stage: &'a FrameResources,
         topology: &Rc<OnceCell<Topology>>,
     ) -> Self {
         let topology = Rc::clone(topology);
@@ -145,7 +145,7 @@ impl<'a> PrepareContext<'a> {
     }
 
     /// The same for methods whose frames are drawn on another stage.
-    pub fn on(&self, stage: &'a Stage) -> Self {
+    pub fn on(&self, stage: &'a FrameResources) -> Self {
         Self {
             stage,
             topology: Rc::clone(&self.topology),
@@ -229,7 +229,7 @@ pub trait ShadowMethod {
 /// A method ready to draw frames of one scene.
 pub trait PreparedMethod: Sync {
     /// Records its stages between G-buffer and shading; they add its shadows to the mask.
-    fn record(&self, frame: &mut FrameRecorder<'_>, stage: &Stage);
+    fn record(&self, frame: &mut FrameRecorder<'_>, stage: &FrameResources);
 
     /// What a reader of its results should know about this scene.
     fn warnings(&self) -> Vec<String> {

@@ -6,7 +6,7 @@ use super::depth_map::{self, DepthMap, MapKind, MapParameters};
 use super::frustum::LightFrustum;
 use super::light_depth::{self, LightView, Lookup, Rounding};
 use super::{Bound, Limit, MethodError, MethodInfo, PrepareContext, PreparedMethod, Texels};
-use crate::frame::Stage;
+use crate::frame::FrameResources;
 use crate::frame::fullscreen::bind_group;
 use crate::gpu::FrameRecorder;
 use crate::metrics::Label;
@@ -122,7 +122,7 @@ impl PreparedMap {
 }
 
 impl PreparedMethod for PreparedMap {
-    fn record(&self, frame: &mut FrameRecorder<'_>, stage: &Stage) {
+    fn record(&self, frame: &mut FrameRecorder<'_>, stage: &FrameResources) {
         frame.stage("map", |encoder| {
             let how = (&self.pipeline, &self.light);
             let casters = &stage.scene.casters;

@@ -44,9 +44,9 @@ impl SideStage for GeometryStage {
     }
 
     /// Every device lets a geometry shader emit 256 vertices: 64 quads.
-    const MOST_QUADS: u32 = 64;
+    const MAX_QUADS: u32 = 64;
     /// Six vertices are the most that any primitive has.
-    const MOST_PATCH_OPPOSITES: u32 = 4;
+    const MAX_PATCH_OPPOSITES: u32 = 4;
     const NUMBER: PrimitiveTopology = PrimitiveTopology::Points;
 
     fn patch(opposites: u32) -> (PrimitiveTopology, u32) {

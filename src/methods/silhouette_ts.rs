@@ -47,9 +47,9 @@ impl SideStage for TessellationStage {
     }
 
     /// 2 · 32 − 1 is the largest odd tessellation level that every device has.
-    const MOST_QUADS: u32 = 32;
+    const MAX_QUADS: u32 = 32;
     /// Every device has patches of 32 vertices.
-    const MOST_PATCH_OPPOSITES: u32 = 30;
+    const MAX_PATCH_OPPOSITES: u32 = 30;
     const NUMBER: PrimitiveTopology = PrimitiveTopology::Patches(1);
 
     fn patch(opposites: u32) -> (PrimitiveTopology, u32) {

@@ -7,7 +7,7 @@
 use super::limit::PRECISION_LIMIT;
 use super::volume_parameters::{Counting, VolumeParameters};
 use super::{Bound, Limit, MethodError, PrepareContext, PreparedMethod};
-use crate::frame::{Stage, StencilResolve};
+use crate::frame::{FrameResources, StencilResolve};
 use crate::gpu::native::{
     BindingKind, Bindings, IndexedGeometry, Pipeline, PipelineDesc, PrimitiveTopology, Raster,
     Target, VertexInput,
@@ -254,7 +254,7 @@ impl StencilVolumes {
     }
 
     /// Which of the objects that cast are counted z-pass in the frame under way.
-    fn objects_in_z_pass(&self, stage: &Stage) -> Vec<bool> {
+    fn objects_in_z_pass(&self, stage: &FrameResources) -> Vec<bool> {
         let casters = &stage.extents.casters;
         match self.counting {
             Counting::ZFail => vec![false; casters.len()],
@@ -271,7 +271,7 @@ impl StencilVolumes {
 }
 
 impl PreparedMethod for StencilVolumes {
-    fn record(&self, frame: &mut FrameRecorder<'_>, stage: &Stage) {
+    fn record(&self, frame: &mut FrameRecorder<'_>, stage: &FrameResources) {
         let in_z_pass = self.objects_in_z_pass(stage);
         frame.native_stage(VOLUMES_STAGE, &self.target, &self.bindings, |pass| {
             for faces in &self.faces {

@@ -28,13 +28,13 @@ pub struct MaskError {
 }
 
 /// The part of a picture that may be ambiguous before the reader should know.
-const MOST_AMBIGUOUS: f64 = 0.01;
+const MAX_AMBIGUOUS: f64 = 0.01;
 
 /// See [`MaskError::undecided`].
 #[must_use]
 pub fn undecided(ambiguous_px: u64, compared_px: u64) -> Option<String> {
     let share = ambiguous_px as f64 / (ambiguous_px + compared_px).max(1) as f64;
-    (share > MOST_AMBIGUOUS).then(|| {
+    (share > MAX_AMBIGUOUS).then(|| {
         format!(
             "the truth cannot decide {:.1} % of the picture, and errors there do not count: the light or the eye lies \
              in the plane of a visible surface",

@@ -166,10 +166,10 @@ fn number(x: f32) -> String {
 
 /// The shortest degrees that are read as this number of radians.
 fn degrees(radians_wanted: f32) -> String {
-    const MOST_DECIMALS: usize = 15;
+    const MAX_DECIMALS: usize = 15;
     let exact = f64::from(radians_wanted).to_degrees();
     let gives_it = |text: &String| text.parse().is_ok_and(|deg| radians(deg) == radians_wanted);
-    (1..=MOST_DECIMALS)
+    (1..=MAX_DECIMALS)
         .map(|decimals| format!("{exact:.decimals$}"))
         .find(gives_it)
         .unwrap_or_else(|| format!("{exact:?}"))

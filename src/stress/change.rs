@@ -5,7 +5,7 @@
 //! telling is wrong in one of the two pictures, and no truth is needed to see that: *metamorphic testing*
 //! (Chen, Cheung, Yiu 1998).
 
-use super::retold;
+use super::rewrite;
 use crate::scene::Scene;
 use rand::{Rng, RngExt};
 
@@ -123,23 +123,23 @@ impl Change {
     pub fn apply(self, scene: &Scene, random: &mut impl Rng) -> Option<Changed> {
         let mesh = &scene.mesh;
         let (mesh, origins) = match self {
-            Self::Again => (mesh.clone(), retold::identity(mesh.triangles.len())),
-            Self::ReorderTriangles => retold::reorder_triangles(mesh, random),
-            Self::RenumberVertices => retold::renumber_vertices(mesh, random),
+            Self::Again => (mesh.clone(), rewrite::identity(mesh.triangles.len())),
+            Self::ReorderTriangles => rewrite::reorder_triangles(mesh, random),
+            Self::RenumberVertices => rewrite::renumber_vertices(mesh, random),
             Self::RotateVertices => {
-                retold::each_triangle(mesh, |_, t| t.rotate_left(random.random_range(0..3)))
+                rewrite::each_triangle(mesh, |_, t| t.rotate_left(random.random_range(0..3)))
             }
-            Self::FlipTriangles => retold::each_triangle(mesh, |_, t| {
+            Self::FlipTriangles => rewrite::each_triangle(mesh, |_, t| {
                 if random.random_bool(0.5) {
                     t.swap(1, 2);
                 }
             }),
-            Self::FlipClosedObjects => retold::flip_closed_objects(mesh)?,
-            Self::SplitObjects => retold::split_objects(mesh, random)?,
-            Self::MergeObjects => retold::merge_objects(mesh)?,
-            Self::ReorderObjects => retold::reorder_objects(mesh, random)?,
-            Self::Scale => return retold::scale(scene, random),
-            Self::Subdivide => retold::subdivide(mesh),
+            Self::FlipClosedObjects => rewrite::flip_closed_objects(mesh)?,
+            Self::SplitObjects => rewrite::split_objects(mesh, random)?,
+            Self::MergeObjects => rewrite::merge_objects(mesh)?,
+            Self::ReorderObjects => rewrite::reorder_objects(mesh, random)?,
+            Self::Scale => return rewrite::scale(scene, random),
+            Self::Subdivide => rewrite::subdivide(mesh),
         };
         let mut changed = scene.clone();
         changed.mesh_hash = mesh.hash();

@@ -1,6 +1,6 @@
 //! Meshes with holes, wrong windings and triangles that come twice, made from sound ones.
 
-use super::retold::part_like;
+use super::rewrite::part_like;
 use crate::scene::{Mesh, Scene};
 use rand::{Rng, RngExt};
 

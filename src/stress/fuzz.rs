@@ -2,7 +2,7 @@
 
 use super::finding::Finding;
 use super::random;
-use super::trial::{Attempt, NoPicture, Studio, Trial};
+use super::trial::{Attempt, Judge, NoPicture, Trial};
 use crate::bench::Observer;
 use crate::methods::ShadowMethod;
 use crate::metrics::MaskError;
@@ -58,7 +58,7 @@ pub struct Tally {
 /// # Errors
 /// When `found` fails.
 pub fn fuzz(
-    studio: &Studio,
+    judge: &Judge,
     methods: &[Box<dyn ShadowMethod>],
     plan: &FuzzPlan,
     observer: &dyn Observer,
@@ -76,7 +76,7 @@ pub fn fuzz(
             break;
         }
         let scene = random::case(seed);
-        let trial = studio.judge(&scene, methods);
+        let trial = judge.judge(&scene, methods);
         for (index, (method, attempt)) in methods.iter().zip(&trial.attempts).enumerate() {
             let tally = &mut tallies[index];
             let drawn = match attempt {

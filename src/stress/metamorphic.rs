@@ -4,10 +4,10 @@
 //! something. Where the two pictures show different triangles (coincident ones, of which the order of
 //! drawing decides), or where the truth itself cannot decide, a mask may go either way.
 
-use super::{Change, Changed, Keeps, NoPicture, Studio};
+use super::{Change, Changed, Judge, Keeps, NoPicture};
 use crate::bench::Verifier;
 use crate::bench::verify::PixelTruth;
-use crate::frame::{DepthSetup, Stage};
+use crate::frame::{DepthSetup, FrameResources};
 use crate::methods::ShadowMethod;
 use crate::metrics::{Label, MaskComparison};
 use crate::reference::{ReferenceCache, Verdict};
@@ -59,7 +59,7 @@ type Mask = Result<Vec<u8>, NoPicture>;
 
 /// A scene as it is told first, and the masks that methods draw of it.
 pub struct Original<'a> {
-    studio: &'a Studio,
+    judge: &'a Judge,
     scene: &'a Scene,
     methods: &'a [Box<dyn ShadowMethod>],
     masks: Vec<Mask>,
@@ -71,12 +71,12 @@ pub struct Original<'a> {
 /// # Errors
 /// When the device is lost, or the scene cannot be traced.
 pub fn check(
-    studio: &Studio,
+    judge: &Judge,
     scene: &Scene,
     methods: &[Box<dyn ShadowMethod>],
     random: &mut impl Rng,
 ) -> anyhow::Result<Vec<Difference>> {
-    let original = Original::draw(studio, scene, methods);
+    let original = Original::draw(judge, scene, methods);
     let mut rows = Vec::new();
     for change in Change::ALL {
         let Some(changed) = change.apply(scene, random) else {
@@ -94,16 +94,12 @@ pub fn check(
 
 impl<'a> Original<'a> {
     /// Draws the first view of `scene` with every method.
-    pub fn draw(
-        studio: &'a Studio,
-        scene: &'a Scene,
-        methods: &'a [Box<dyn ShadowMethod>],
-    ) -> Self {
+    pub fn draw(judge: &'a Judge, scene: &'a Scene, methods: &'a [Box<dyn ShadowMethod>]) -> Self {
         Self {
-            studio,
+            judge,
             scene,
             methods,
-            masks: studio.masks(scene, methods),
+            masks: judge.masks(scene, methods),
         }
     }
 
@@ -116,7 +112,7 @@ impl<'a> Original<'a> {
         &self,
         changed: &Changed,
     ) -> anyhow::Result<Vec<Result<DifferingPixels, NoPicture>>> {
-        let masks = self.studio.masks(&changed.scene, self.methods);
+        let masks = self.judge.masks(&changed.scene, self.methods);
         let differing: Vec<Result<Vec<usize>, &NoPicture>> = self
             .masks
             .iter()
@@ -166,8 +162,8 @@ impl<'a> Original<'a> {
             return Ok(BTreeMap::new());
         }
         let pixels: Vec<_> = pixels.iter().copied().collect();
-        let before = look(self.studio, self.scene, depth, &pixels)?;
-        let after = look(self.studio, &changed.scene, depth, &pixels)?;
+        let before = look(self.judge, self.scene, depth, &pixels)?;
+        let after = look(self.judge, &changed.scene, depth, &pixels)?;
         let both = before.into_iter().zip(after);
         Ok(pixels.into_iter().zip(both).collect())
     }
@@ -184,7 +180,7 @@ impl<'a> Original<'a> {
             differing_px: pixels.len() as u64,
             ..DifferingPixels::default()
         };
-        let width = self.studio.size_px.0;
+        let width = self.judge.size_px.0;
         let (mut decided, mut beyond) = (None, None);
         for pixel in pixels {
             let (before, after) = &truths[pixel];
@@ -223,14 +219,14 @@ fn differing(before: &[u8], after: &[u8]) -> Vec<usize> {
 
 /// What is true of some pixels of the first view of `scene`.
 fn look(
-    studio: &Studio,
+    judge: &Judge,
     scene: &Scene,
     depth: DepthSetup,
     pixels: &[usize],
 ) -> anyhow::Result<Vec<PixelTruth>> {
-    let (width, height) = studio.size_px;
-    let gpu = studio.gpu()?;
-    let stage = Stage::new(&gpu, scene, width, height)?.with_depth(&gpu, depth)?;
+    let (width, height) = judge.size_px;
+    let gpu = judge.gpu()?;
+    let stage = FrameResources::new(&gpu, scene, width, height)?.with_depth(&gpu, depth)?;
     let cache = ReferenceCache::open(None);
     let verifier = Verifier::new(&gpu, scene, &stage, &cache)?;
     let truth = verifier.truth(&scene.camera.view_at(0.0))?;

@@ -128,13 +128,13 @@ impl Search<'_> {
     /// start: where the triangles that matter lie far apart, that asks far less.
     fn leave_out_triangles(&mut self) -> Result<(), Halt> {
         // Beyond so many, one chunk alone has little chance.
-        const MOST_ALONE: usize = 8;
+        const MAX_ALONE: usize = 8;
         let mut chunks = 2;
         loop {
             let count = self.best.mesh.triangles.len().max(1);
             let size = count.div_ceil(chunks.min(count));
             self.report(&format!("leaving out {size} at a time"));
-            if chunks <= MOST_ALONE && size < count && self.keep_one_chunk(size)? {
+            if chunks <= MAX_ALONE && size < count && self.keep_one_chunk(size)? {
                 chunks = 2;
                 continue;
             }
@@ -197,8 +197,8 @@ impl Search<'_> {
 
     /// Rounds all numbers of these points alike, as coarsely as may be.
     fn round_all(&mut self, places: &[Place]) -> Result<(), Halt> {
-        const MOST_DECIMALS: i32 = 4;
-        let roundings = (0..=MOST_DECIMALS).map(|decimals| 10f64.powi(decimals));
+        const MAX_DECIMALS: i32 = 4;
+        let roundings = (0..=MAX_DECIMALS).map(|decimals| 10f64.powi(decimals));
         for per_unit in [1.0, 2.0].into_iter().chain(roundings.skip(1)) {
             let round = |x: f32| {
                 let rounded = ((f64::from(x) * per_unit).round() / per_unit) as f32;

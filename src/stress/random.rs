@@ -8,12 +8,12 @@ use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
 /// Most triangles of a random scene, without the ground that half of them have.
-const MOST_TRIANGLES: f32 = 200.99;
+const MAX_TRIANGLES: f32 = 200.99;
 
 /// The random scene of a seed: the same on every machine.
 pub fn case(seed: u64) -> Scene {
     let random = &mut ChaCha8Rng::seed_from_u64(seed);
-    let count = log_uniform(random, 1.0, MOST_TRIANGLES) as usize;
+    let count = log_uniform(random, 1.0, MAX_TRIANGLES) as usize;
     let casters = match random.random_range(0..4) {
         0 => free(random, count, false),
         1 => free(random, count, true),

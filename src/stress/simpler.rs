@@ -14,10 +14,10 @@ pub(super) fn effort(x: f32) -> usize {
 
 /// Simpler numbers near this one, the simplest first; each takes less [`effort`].
 pub(super) fn simpler(x: f32) -> Vec<f32> {
-    const MOST_DIGITS: usize = 5;
+    const MAX_DIGITS: usize = 5;
     let digits = |count: usize| format!("{x:.*e}", count - 1).parse().unwrap_or(x);
     let mut numbers = vec![0.0, 1f32.copysign(x), x.round(), (2.0 * x).round() / 2.0];
-    numbers.extend((1..=MOST_DIGITS).map(digits));
+    numbers.extend((1..=MAX_DIGITS).map(digits));
     numbers.retain(|number| number.is_finite() && effort(*number) < effort(x));
     // Stable: of those alike, the ones above come first.
     numbers.sort_by_key(|number| effort(*number));

@@ -3,7 +3,7 @@
 use super::cause::Cause;
 use super::finding::Finding;
 use super::record::{FAILURES_DIR, GAP_PX, Outcome, ROWS_FILE, StressRow};
-use super::trial::{Attempt, Drawn, NoPicture, Studio};
+use super::trial::{Attempt, Drawn, Judge, NoPicture};
 use crate::bench::Observer;
 use crate::bench::record::pairs_to_text;
 use crate::file_name::{file_name, method_file_name};
@@ -19,7 +19,7 @@ use std::path::Path;
 /// What to try, and where results go.
 pub struct StressRequest<'a> {
     /// Draws the pictures.
-    pub studio: &'a Studio,
+    pub judge: &'a Judge,
     /// The causes.
     pub causes: &'a [Cause],
     /// The methods.
@@ -71,7 +71,7 @@ fn try_value(
     kept: &mut [Option<Outcome>],
 ) -> anyhow::Result<Vec<StressRow>> {
     let scene = cause.scene(value, request.seed);
-    let trial = request.studio.judge(&scene, request.methods);
+    let trial = request.judge.judge(&scene, request.methods);
     let mut rows = Vec::with_capacity(request.methods.len());
     for ((method, attempt), kept) in request.methods.iter().zip(&trial.attempts).zip(kept) {
         let mut row = row(cause, value, method.as_ref(), attempt);
@@ -152,7 +152,7 @@ fn keep(
     }
     let method = method_file_name(method.info().id, &method.variant());
     let name = format!("{stem}_{method}.png");
-    let (width, height) = request.studio.size_px;
+    let (width, height) = request.judge.size_px;
     let truth = truth.to_grey();
     let rgb = strip(width as usize, &truth, drawn);
     Image::rgb((3 * width + 2 * GAP_PX, height), &rgb).write_png(&folder.join(&name))?;

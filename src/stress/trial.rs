@@ -2,7 +2,7 @@
 
 use crate::bench::verify::{Judgement, Truth};
 use crate::bench::{Verifier, in_one_line};
-use crate::frame::{DepthSetup, Stage};
+use crate::frame::{DepthSetup, FrameResources};
 use crate::geometry::Topology;
 use crate::gpu::{Gpu, GpuError};
 use crate::methods::{self, MethodError, PrepareContext, PreparedMethod, ShadowMethod};
@@ -13,7 +13,7 @@ use std::cell::{OnceCell, RefCell};
 use std::rc::Rc;
 
 /// Draws the first view of scenes.
-pub struct Studio {
+pub struct Judge {
     /// The device; opened again where it was lost.
     gpu: RefCell<Gpu>,
     /// Width and height of the pictures.
@@ -84,7 +84,7 @@ impl NoPicture {
     }
 }
 
-impl Studio {
+impl Judge {
     /// For pictures of this size.
     pub fn new(gpu: &Gpu, size_px: (u32, u32)) -> Self {
         Self {
@@ -193,7 +193,7 @@ impl Studio {
         let gpu = self.gpu()?;
         let setups = methods.iter().map(|method| method.depth_setup());
         Ok(Set {
-            stages: Stage::for_setups(&gpu, scene, self.size_px, setups)?,
+            stages: FrameResources::for_setups(&gpu, scene, self.size_px, setups)?,
             topology: Rc::default(),
             gpu,
             scene,
@@ -209,7 +209,7 @@ type Attempts<T> = Vec<Result<T, NoPicture>>;
 struct Set<'a> {
     gpu: Gpu,
     scene: &'a Scene,
-    stages: Vec<Stage>,
+    stages: Vec<FrameResources>,
     view: View,
     topology: Rc<OnceCell<Topology>>,
 }
@@ -219,7 +219,7 @@ impl Set<'_> {
     fn prepared<T>(
         &self,
         method: &dyn ShadowMethod,
-        draw: impl FnOnce(&Stage, &dyn PreparedMethod) -> anyhow::Result<T>,
+        draw: impl FnOnce(&FrameResources, &dyn PreparedMethod) -> anyhow::Result<T>,
     ) -> Result<T, NoPicture> {
         let setup = method.depth_setup();
         let unavailable = NoPicture::Unavailable;

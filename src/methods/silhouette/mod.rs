@@ -22,9 +22,9 @@ pub(super) trait SideStage: 'static {
     /// The method that uses them.
     fn info() -> &'static MethodInfo;
     /// Most side quads of one edge.
-    const MOST_QUADS: u32;
+    const MAX_QUADS: u32;
     /// Most opposite vertices in one input patch.
-    const MOST_PATCH_OPPOSITES: u32;
+    const MAX_PATCH_OPPOSITES: u32;
     /// The primitive that holds an edge and at least so many opposite vertices, and how many it really
     /// holds.
     fn patch(opposites: u32) -> (PrimitiveTopology, u32);
@@ -78,7 +78,7 @@ pub(super) const INPUT_PARAMETER: (&str, &str, &str) = (
 
 impl<S: SideStage> Parameters for Silhouette<S> {
     fn validate(&self) -> Result<(), String> {
-        in_range("max_multiplicity", self.max_multiplicity, 1..=S::MOST_QUADS)?;
+        in_range("max_multiplicity", self.max_multiplicity, 1..=S::MAX_QUADS)?;
         self.volume.validate()
     }
 }
@@ -103,7 +103,7 @@ impl<S: SideStage> ShadowMethod for Silhouette<S> {
         let parameters = &self.volume;
         let most_opposites = match self.input {
             EdgeInput::Storage => self.max_multiplicity,
-            EdgeInput::Patch => self.max_multiplicity.min(S::MOST_PATCH_OPPOSITES),
+            EdgeInput::Patch => self.max_multiplicity.min(S::MAX_PATCH_OPPOSITES),
         };
         let mesh = &context.scene.mesh;
         let topology = context.topology();

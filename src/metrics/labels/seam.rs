@@ -8,7 +8,7 @@ use super::frame::Frame;
 use crate::metrics::regions::Artifact;
 
 /// A region of more pixels is something else.
-const MOST_PX: usize = 2;
+const MAX_PX: usize = 2;
 
 /// How far from the centre, in steps of the rasteriser's grid: a sixteenth of a pixel, which is as coarse as the
 /// grid may be in Vulkan. Clipped edges are moved to it once more, and a push back moves the quads of both
@@ -18,6 +18,6 @@ pub const SEAM_STEPS: f64 = 16.0;
 /// Whether all pixels of a region have such an edge at their centre.
 pub(super) fn is_seam(frame: &Frame<'_>, artifact: &Artifact) -> bool {
     let mut pixels = artifact.pixels.iter();
-    artifact.pixels.len() <= MOST_PX
+    artifact.pixels.len() <= MAX_PX
         && pixels.all(|pixel| frame.probe.at_inner_edge(*pixel, SEAM_STEPS))
 }

@@ -12,10 +12,10 @@ use obvhs::bvh2::node::Bvh2Node;
 const BINS: usize = 16;
 
 /// Most triangles of a leaf.
-const MOST_IN_LEAF: usize = 4;
+const MAX_IN_LEAF: usize = 4;
 
 /// Below so many splits by cost, which may be as uneven as the boxes are, all further ones are in halves.
-const MOST_UNEVEN_DEPTH: usize = 48;
+const MAX_UNEVEN_DEPTH: usize = 48;
 
 /// A box and the number of what is in it.
 #[derive(Clone, Copy)]
@@ -31,7 +31,7 @@ impl Boxed {
 }
 
 /// The hierarchy over these boxes. It takes at most linear time times the depth, and this is at most
-/// [`MOST_UNEVEN_DEPTH`] and the logarithm of the number of boxes.
+/// [`MAX_UNEVEN_DEPTH`] and the logarithm of the number of boxes.
 pub(super) fn build(boxes: &[Aabb]) -> Bvh2 {
     let mut bvh = Bvh2::default();
     if boxes.is_empty() {
@@ -81,7 +81,7 @@ fn split(boxed: &mut [Boxed], bounds: Aabb, depth: usize) -> Option<usize> {
         boxed.select_nth_unstable_by(count / 2, by_middle);
         Some(count / 2)
     };
-    if depth > MOST_UNEVEN_DEPTH {
+    if depth > MAX_UNEVEN_DEPTH {
         return in_halves(boxed);
     }
     let scale = BINS as f32 / extent[axis];
@@ -93,9 +93,9 @@ fn split(boxed: &mut [Boxed], bounds: Aabb, depth: usize) -> Option<usize> {
     let leaf_cost = bounds.half_area() * (count - 1) as f32;
     match best {
         // All middles are in one place, or too far apart for 32 bits.
-        None if count <= MOST_IN_LEAF => None,
+        None if count <= MAX_IN_LEAF => None,
         None => in_halves(boxed),
-        Some((cost, _)) if count <= MOST_IN_LEAF && cost >= leaf_cost => None,
+        Some((cost, _)) if count <= MAX_IN_LEAF && cost >= leaf_cost => None,
         Some((_, first_bin)) => {
             let (mut left, mut right) = (0, count);
             while left < right {

@@ -11,7 +11,7 @@ use crate::report::load::Run;
 /// Upper ends of the distance classes shown, in pixels; what is farther is the last class.
 const CLASSES_PX: [f64; 3] = [1.0, 4.0, 16.0];
 /// So many regions of a scene are listed.
-const MOST_REGIONS: usize = 8;
+const MAX_REGIONS: usize = 8;
 
 /// The section; nothing where no cell was verified.
 pub(super) fn section(run: &Run, has_pictures: bool) -> Markup {
@@ -188,7 +188,7 @@ fn regions(run: &Run, scene: &str) -> Markup {
     regions.sort_by_key(|region| std::cmp::Reverse(region.size_px));
     let errors = run.errors.iter().filter(|error| error.scene == scene);
     let all: u64 = errors.map(|error| error.regions).sum();
-    regions.truncate(MOST_REGIONS);
+    regions.truncate(MAX_REGIONS);
     html! {
         @if !regions.is_empty() {
             details {

@@ -14,7 +14,7 @@ use crate::report::pareto::Cloud;
 
 /// A page holds pictures up to this size; a browser opens one of a third more, as base64 makes it,
 /// without a wait.
-const MOST_BYTES: u64 = 22 << 20;
+const MAX_BYTES: u64 = 22 << 20;
 /// The pictures of a cell.
 const KINDS: [(ImageKind, &str, &str); 3] = [
     (ImageKind::Picture, "Picture", "lit picture"),
@@ -55,7 +55,7 @@ struct Held {
 
 impl Held {
     /// Those of the front first, then the first of each curve, then the others: as many as
-    /// [`MOST_BYTES`] allow.
+    /// [`MAX_BYTES`] allow.
     fn of(run: &Run, clouds: &[Cloud]) -> Self {
         let curves = Curves::of(run);
         let mut cells: Vec<(u8, &Summary, Contender)> = Vec::new();
@@ -72,7 +72,7 @@ impl Held {
         }
         cells.sort_by_key(|(rank, ..)| *rank);
         let all = cells.len();
-        let mut left_bytes = MOST_BYTES;
+        let mut left_bytes = MAX_BYTES;
         let mut held = HashSet::new();
         for (_, row, contender) in cells {
             // Once one does not fit, no lesser one is let in for being small.

@@ -5,7 +5,7 @@ use crate::report::format::{count, short};
 use crate::report::markdown::{align, escape};
 
 /// As wide as a line may be for a terminal.
-const MOST_COLUMNS: usize = 120;
+const MAX_COLUMNS: usize = 120;
 const GAP: &str = "  ";
 const NOTES: &str = "A cell says the first value at which the method fails, and its artifact pixels there \
     and, after an arrow, where they are the most. **!** is a failure that no limit of the method declares; \
@@ -175,7 +175,7 @@ fn blocks(matrix: &Matrix<'_>, rows: &[Vec<String>]) -> Vec<Vec<usize>> {
             }
             _ => {
                 blocks.push(vec![column]);
-                left = MOST_COLUMNS.saturating_sub(label_width(matrix) + width);
+                left = MAX_COLUMNS.saturating_sub(label_width(matrix) + width);
             }
         }
     }

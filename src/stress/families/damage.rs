@@ -11,7 +11,7 @@ const SLICES: usize = 16;
 /// Its triangles.
 pub(super) const OPEN_MESH_TRIANGLES: u32 = (SLICES * SLICES) as u32;
 /// As many as are sure to find an edge whose other triangle is whole.
-pub(super) const MOST_T_JUNCTIONS: u32 = OPEN_MESH_TRIANGLES / 4;
+pub(super) const MAX_T_JUNCTIONS: u32 = OPEN_MESH_TRIANGLES / 4;
 
 fn whole_sphere() -> Vec<Triangle> {
     sphere(DVec3::new(0.0, 1.3, 0.0), 0.9, SLICES)

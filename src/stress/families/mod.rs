@@ -80,7 +80,7 @@ impl Family {
             | Self::SelfIntersections
             | Self::RandomSoup => Whole(1, 10_000),
             Self::OpenMesh => Whole(0, damage::OPEN_MESH_TRIANGLES - 1),
-            Self::TJunctions => Whole(0, damage::MOST_T_JUNCTIONS),
+            Self::TJunctions => Whole(0, damage::MAX_T_JUNCTIONS),
             Self::Moebius => Whole(3, 10_000),
             Self::KleinBottle => Whole(4, 1000),
             Self::EdgeOn => Whole(0, 10_000),

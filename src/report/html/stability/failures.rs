@@ -13,7 +13,7 @@ use maud::{Markup, html};
 use std::collections::HashSet;
 
 /// As many bytes of pictures as a page may hold, so that browsers still open it at once.
-const MOST_BYTES: u64 = 22 << 20;
+const MAX_BYTES: u64 = 22 << 20;
 /// Pixels of the page that a picture may be wide.
 const PAGE_WIDTH_PX: u32 = 1190;
 
@@ -24,13 +24,13 @@ pub(super) struct Album<'a> {
 }
 
 impl<'a> Album<'a> {
-    /// Those of undeclared failures first, as many as [`MOST_BYTES`] allow.
+    /// Those of undeclared failures first, as many as [`MAX_BYTES`] allow.
     pub(super) fn of(run: &StressRun, matrix: &Matrix<'a>) -> Self {
         let cells = matrix.lines.iter().flat_map(|line| &line.cells);
         let mut failures: Vec<&Failure<'a>> = cells.filter_map(|cell| cell.failure()).collect();
         failures.sort_by_key(|failure| failure.undeclared.is_none());
         let rows = failures.iter().flat_map(|failure| failure.shown());
-        let mut left_bytes = MOST_BYTES;
+        let mut left_bytes = MAX_BYTES;
         let mut names = HashSet::new();
         for row in rows {
             let name = row.picture.as_str();

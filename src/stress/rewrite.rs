@@ -9,21 +9,24 @@ use rand::{Rng, RngExt};
 use std::collections::HashSet;
 
 /// A mesh, and of each triangle the one that it comes from.
-pub(super) type Retold = (Mesh, Vec<u32>);
+pub(super) type Rewritten = (Mesh, Vec<u32>);
 
 pub(super) fn identity(count: usize) -> Vec<u32> {
     (0..count as u32).collect()
 }
 
 /// The same mesh with each triangle changed in place.
-pub(super) fn each_triangle(mesh: &Mesh, mut change: impl FnMut(usize, &mut [u32; 3])) -> Retold {
+pub(super) fn each_triangle(
+    mesh: &Mesh,
+    mut change: impl FnMut(usize, &mut [u32; 3]),
+) -> Rewritten {
     let mut changed = mesh.clone();
     let triangles = changed.triangles.iter_mut().enumerate();
     triangles.for_each(|(i, triangle)| change(i, triangle));
     (changed, identity(mesh.triangles.len()))
 }
 
-pub(super) fn reorder_triangles(mesh: &Mesh, random: &mut impl Rng) -> Retold {
+pub(super) fn reorder_triangles(mesh: &Mesh, random: &mut impl Rng) -> Rewritten {
     let mut origins = identity(mesh.triangles.len());
     for object in &mesh.objects {
         origins[object.triangle_range()].shuffle(random);
@@ -36,7 +39,7 @@ pub(super) fn reorder_triangles(mesh: &Mesh, random: &mut impl Rng) -> Retold {
     (changed, origins)
 }
 
-pub(super) fn renumber_vertices(mesh: &Mesh, random: &mut impl Rng) -> Retold {
+pub(super) fn renumber_vertices(mesh: &Mesh, random: &mut impl Rng) -> Rewritten {
     let mut numbers = identity(mesh.positions.len());
     for object in &mesh.objects {
         numbers[object.vertex_range()].shuffle(random);
@@ -50,7 +53,7 @@ pub(super) fn renumber_vertices(mesh: &Mesh, random: &mut impl Rng) -> Retold {
     (changed, origins)
 }
 
-pub(super) fn flip_closed_objects(mesh: &Mesh) -> Option<Retold> {
+pub(super) fn flip_closed_objects(mesh: &Mesh) -> Option<Rewritten> {
     let topology = Topology::build(mesh);
     let mut is_flipped = vec![false; mesh.triangles.len()];
     for (object, edges) in mesh.objects.iter().zip(&topology.object_edges) {
@@ -98,7 +101,7 @@ pub(super) fn part_like(object: &Object, triangles: &[[Vec3; 3]]) -> Part {
     }
 }
 
-pub(super) fn split_objects(mesh: &Mesh, random: &mut impl Rng) -> Option<Retold> {
+pub(super) fn split_objects(mesh: &Mesh, random: &mut impl Rng) -> Option<Rewritten> {
     let (mut parts, mut origins) = (Vec::new(), Vec::new());
     for object in &mesh.objects {
         let (one, other): (Vec<u32>, Vec<u32>) = object
@@ -114,7 +117,7 @@ pub(super) fn split_objects(mesh: &Mesh, random: &mut impl Rng) -> Option<Retold
     (changed.objects.len() > mesh.objects.len()).then_some((changed, origins))
 }
 
-pub(super) fn merge_objects(mesh: &Mesh) -> Option<Retold> {
+pub(super) fn merge_objects(mesh: &Mesh) -> Option<Rewritten> {
     let (mut parts, mut origins) = (Vec::new(), Vec::new());
     for casts_shadow in [true, false] {
         let mut alike = mesh
@@ -132,7 +135,7 @@ pub(super) fn merge_objects(mesh: &Mesh) -> Option<Retold> {
     (changed.objects.len() < mesh.objects.len()).then_some((changed, origins))
 }
 
-pub(super) fn reorder_objects(mesh: &Mesh, random: &mut impl Rng) -> Option<Retold> {
+pub(super) fn reorder_objects(mesh: &Mesh, random: &mut impl Rng) -> Option<Rewritten> {
     if mesh.objects.len() < 2 {
         return None;
     }
@@ -158,7 +161,7 @@ pub(super) fn reorder_objects(mesh: &Mesh, random: &mut impl Rng) -> Option<Reto
     Some((changed, origins))
 }
 
-pub(super) fn subdivide(mesh: &Mesh) -> Retold {
+pub(super) fn subdivide(mesh: &Mesh) -> Rewritten {
     let (mut parts, mut origins) = (Vec::new(), Vec::new());
     for object in &mesh.objects {
         let quarters: Vec<_> = object
