@@ -2,7 +2,7 @@
 
 use crate::config::{builtin_scenes, find_scene};
 use crate::console;
-use crate::gpu::{DeviceSummary, Gpu, GpuError, GpuOptions, list_devices};
+use crate::gpu::{Capability, DeviceSummary, Gpu, GpuError, GpuOptions, list_devices};
 use crate::methods::{Limit, MethodInfo, REGISTRY};
 use crate::record::stress::CauseRecord;
 use crate::scene::file::MeshSource;
@@ -94,7 +94,7 @@ fn methods(adapter: Option<String>) -> anyhow::Result<Vec<MethodRow>> {
     let named = adapter.is_some();
     let gpu = match Gpu::open(&GpuOptions {
         adapter,
-        validation: false,
+        ..GpuOptions::default()
     }) {
         Ok(gpu) => Ok(gpu),
         // Without any device there is still something to list; a name that fits none is a mistake.
@@ -190,7 +190,7 @@ fn text(listing: &Listing) -> String {
         } = method;
         line(0, &format!("{}  {}", info.id, info.title));
         line(4, &format!("from: {}", info.source));
-        let needs: Vec<_> = info.needs.iter().map(|need| need.label()).collect();
+        let needs: Vec<_> = info.needs.iter().map(|need| need.words()).collect();
         let needs = if needs.is_empty() {
             "nothing special".to_owned()
         } else {
@@ -236,12 +236,17 @@ fn text(listing: &Listing) -> String {
             4,
             &format!("driver: {} {}", device.driver, device.driver_info),
         );
-        let has = |has: bool| if has { "yes" } else { "no" };
-        let (tessellation, geometry) = (has(device.tessellation), has(device.geometry));
-        line(
-            4,
-            &format!("tessellation shaders: {tessellation}, geometry shaders: {geometry}"),
-        );
+        let (has, lacks): (Vec<Capability>, Vec<_>) = (Capability::ALL.iter())
+            .partition(|capability| device.capabilities.contains(capability));
+        for (verb, capabilities) in [("has", has), ("lacks", lacks)] {
+            let words: Vec<_> = capabilities
+                .iter()
+                .map(|capability| capability.words())
+                .collect();
+            if !words.is_empty() {
+                line(4, &format!("{verb}: {}", words.join("; ")));
+            }
+        }
         let unsuitable = device.unsuitable.as_deref();
         let reason = unsuitable
             .map(|missing| format!("lacks {missing}"))

@@ -4,7 +4,7 @@ use super::progress::Progress;
 use super::{DeviceArgs, check_size, values};
 use crate::config::{ConfigError, find_scene};
 use crate::console;
-use crate::gpu::Requirement;
+use crate::gpu::Capability;
 use crate::judge::Observer;
 use crate::judge::{Judge, NoPicture};
 use crate::methods::{REGISTRY, ShadowMethod, parameters};
@@ -161,7 +161,7 @@ impl Checks {
 }
 
 fn methods(args: &MetamorphicArgs) -> anyhow::Result<Vec<Box<dyn ShadowMethod>>> {
-    let is_volume_method = |needs: &[Requirement]| needs.contains(&Requirement::StencilBuffer);
+    let is_volume_method = |needs: &[Capability]| needs.contains(&Capability::StencilBuffer);
     let default = REGISTRY
         .iter()
         .filter(|registration| is_volume_method(registration.info.needs))

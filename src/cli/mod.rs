@@ -75,6 +75,7 @@ impl DeviceArgs {
         let options = GpuOptions {
             adapter: self.adapter.clone(),
             validation: self.validation,
+            ..GpuOptions::default()
         };
         Ok(Gpu::open(&options)?)
     }

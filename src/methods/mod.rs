@@ -26,7 +26,7 @@ pub use registry::{REGISTRY, Registration, find};
 
 use crate::frame::{DepthSetup, FrameResources};
 use crate::geometry::Topology;
-use crate::gpu::{DeviceError, FrameRecorder, Gpu, Requirement};
+use crate::gpu::{Capability, DeviceError, FrameRecorder, Gpu};
 use crate::scene::Scene;
 use glam::DVec3;
 use serde::Serialize;
@@ -46,7 +46,7 @@ pub struct MethodInfo {
     /// Where it comes from.
     pub source: &'static str,
     /// What it needs of the device.
-    pub needs: &'static [Requirement],
+    pub needs: &'static [Capability],
     /// What it cannot do or gets wrong, by design: what it shares with others, and its own.
     #[serde(serialize_with = "in_one_list")]
     pub limits: &'static [&'static [Limit]],
@@ -73,7 +73,7 @@ impl MethodInfo {
     pub fn check(&self, gpu: &Gpu) -> Result<(), String> {
         self.needs
             .iter()
-            .try_for_each(|requirement| gpu.check(*requirement))
+            .try_for_each(|capability| gpu.check(*capability))
     }
 }
 

@@ -5,7 +5,7 @@ use super::MethodInfo;
 use super::silhouette::{INPUT_PARAMETER, SideStage, Silhouette};
 use super::volume_parameters;
 use super::volumes::{self, STENCIL};
-use crate::gpu::Requirement;
+use crate::gpu::Capability;
 use crate::gpu::native::PrimitiveTopology;
 use crate::gpu::shader::{self, Spirv};
 
@@ -14,7 +14,7 @@ pub(super) static INFO: MethodInfo = MethodInfo {
     id: "silhouette_gs",
     title: "silhouette shadow volumes, side quads by a geometry shader",
     source: "Milet, Kobrtek, Zemčík, Pečiva 2014, section 3",
-    needs: &[Requirement::GeometryStage, STENCIL],
+    needs: &[Capability::GeometryStage, STENCIL],
     limits: &[volumes::LIMITS],
     tolerated_share: 0.0,
     parameters: &[

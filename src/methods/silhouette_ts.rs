@@ -4,7 +4,7 @@ use super::MethodInfo;
 use super::silhouette::{INPUT_PARAMETER, SideStage, Silhouette};
 use super::volume_parameters;
 use super::volumes::{self, STENCIL};
-use crate::gpu::Requirement;
+use crate::gpu::Capability;
 use crate::gpu::native::PrimitiveTopology;
 use crate::gpu::shader::{self, Spirv};
 
@@ -14,8 +14,8 @@ pub(super) static INFO: MethodInfo = MethodInfo {
     title: "silhouette shadow volumes, side quads by tessellation shaders",
     source: "Milet, Kobrtek, Zemčík, Pečiva 2014, section 2.2",
     needs: &[
-        Requirement::TessellationStage,
-        Requirement::GeometryStage,
+        Capability::TessellationStage,
+        Capability::GeometryStage,
         STENCIL,
     ],
     limits: &[volumes::LIMITS],

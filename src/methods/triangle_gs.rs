@@ -6,7 +6,7 @@ use super::volume_parameters::{self, VolumeParameters};
 use super::volumes::{self, STENCIL, StencilVolumes};
 use super::{MethodError, MethodInfo, PrepareContext, PreparedMethod, ShadowMethod};
 use crate::frame::DepthSetup;
-use crate::gpu::Requirement;
+use crate::gpu::Capability;
 use crate::gpu::native::PrimitiveTopology;
 use crate::gpu::shader;
 use serde::{Deserialize, Serialize};
@@ -16,7 +16,7 @@ pub(super) static INFO: MethodInfo = MethodInfo {
     id: "triangle_gs",
     title: "a shadow volume of every triangle, by a geometry shader",
     source: "Milet, Kobrtek, Zemčík, Pečiva 2014, section 3 (after Stich et al. 2007)",
-    needs: &[Requirement::GeometryStage, STENCIL],
+    needs: &[Capability::GeometryStage, STENCIL],
     limits: &[volumes::LIMITS, volumes::TRIANGLE_LIMITS],
     tolerated_share: 0.0,
     parameters: &[volume_parameters::PARAMETERS],

@@ -5,7 +5,7 @@ use super::volume_parameters::{self, FrontCap, VolumeParameters};
 use super::volumes::{self, Faces, STENCIL, StencilVolumes};
 use super::{MethodError, MethodInfo, PrepareContext, PreparedMethod, ShadowMethod};
 use crate::frame::DepthSetup;
-use crate::gpu::Requirement;
+use crate::gpu::Capability;
 use crate::gpu::native::PrimitiveTopology;
 use crate::gpu::shader;
 use serde::{Deserialize, Serialize};
@@ -15,7 +15,7 @@ pub(super) static INFO: MethodInfo = MethodInfo {
     id: "triangle_ts",
     title: "a shadow volume of every triangle, by tessellation shaders",
     source: "Milet, Kobrtek, Zemčík, Pečiva 2014, section 2.1",
-    needs: &[Requirement::TessellationStage, STENCIL],
+    needs: &[Capability::TessellationStage, STENCIL],
     limits: &[volumes::LIMITS, volumes::TRIANGLE_LIMITS],
     tolerated_share: 0.0,
     parameters: &[

@@ -13,7 +13,7 @@ use crate::gpu::native::{
     Target, VertexInput,
 };
 use crate::gpu::shader::{self, Spirv};
-use crate::gpu::{FrameRecorder, Requirement};
+use crate::gpu::{Capability, FrameRecorder};
 use crate::metrics::Label;
 use std::ops::Range;
 
@@ -21,7 +21,7 @@ use std::ops::Range;
 const VOLUMES_STAGE: &str = "volumes";
 
 /// What every volume method needs of the device.
-pub(super) const STENCIL: Requirement = Requirement::StencilBuffer;
+pub(super) const STENCIL: Capability = Capability::StencilBuffer;
 
 /// What every volume method cannot do.
 pub(super) const LIMITS: &[Limit] = &[
