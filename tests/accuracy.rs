@@ -13,7 +13,7 @@ use svbench::config::find_scene;
 use svbench::frame::FrameResources;
 use svbench::gpu::Gpu;
 use svbench::judge::Verifier;
-use svbench::methods::{PrepareContext, PreparedMethod, parameters::parse_method};
+use svbench::methods::{PrepareContext, PreparedMethod, Registry};
 use svbench::metrics::MaskError;
 use svbench::reference::ReferenceCache;
 use svbench::scene::{Scene, View};
@@ -45,7 +45,13 @@ fn errors(gpu: &Gpu, scene: &mut Scene, shots: &[(View, Vec4)]) -> Vec<Vec<(Mask
     let stage = FrameResources::new(gpu, scene, WIDTH, HEIGHT).unwrap();
     let methods: Vec<Box<dyn PreparedMethod>> = {
         let context = PrepareContext::new(gpu, scene, &stage);
-        let prepare = |id| parse_method(id).unwrap().prepare(&context).unwrap();
+        let prepare = |id| {
+            Registry::builtin()
+                .parse(id)
+                .unwrap()
+                .prepare(&context)
+                .unwrap()
+        };
         METHODS.map(prepare).into()
     };
     let mut verifier = Verifier::new(gpu, scene, &stage, &cache).unwrap();

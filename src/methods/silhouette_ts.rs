@@ -1,8 +1,7 @@
 //! Silhouette shadow volumes in tessellation shaders (Milet et al. 2014, algorithms 2 to 5).
 
 use super::MethodInfo;
-use super::silhouette::{INPUT_PARAMETER, SideStage, Silhouette};
-use super::volume_parameters;
+use super::silhouette::{SideStage, Silhouette};
 use super::volumes::{self, STENCIL};
 use crate::gpu::Capability;
 use crate::gpu::native::PrimitiveTopology;
@@ -20,18 +19,6 @@ pub(super) static INFO: MethodInfo = MethodInfo {
     ],
     limits: &[volumes::LIMITS],
     tolerated_share: 0.0,
-    parameters: &[
-        volume_parameters::PARAMETERS,
-        &[
-            INPUT_PARAMETER,
-            (
-                "max_multiplicity",
-                "32",
-                "most opposite vertices of one patch, 1 to 32 (30 at most with input=patch); edges with more \
-             are split",
-            ),
-        ],
-    ],
 };
 
 /// Side quads by tessellation shaders.
