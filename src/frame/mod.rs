@@ -8,6 +8,7 @@
 mod depth;
 pub mod fullscreen;
 mod gbuffer;
+mod mask_pass;
 mod resolve;
 mod scene;
 mod shade;
@@ -18,6 +19,7 @@ mod visible_triangles;
 
 pub use depth::{DepthFormat, DepthSetup};
 pub use gbuffer::GBuffer;
+pub use mask_pass::{MaskPass, MaskShader};
 pub use resolve::{RESOLVE_STAGE, StencilResolve};
 pub use scene::SceneBuffers;
 pub use shade::Shade;
