@@ -2,13 +2,13 @@
 //! it. All of svbench runs with it, for example
 //! `cargo run --release --example own_method -- run examples/own_method.toml --out own_run`.
 
-use glam::Vec4;
 use svbench::frame::fullscreen::{buffer_binding, texture_binding};
 use svbench::frame::{FrameResources, MaskPass, MaskShader};
 use svbench::gpu::{FrameRecorder, shader};
 use svbench::methods::{
     Limit, MethodError, MethodInfo, PrepareContext, PreparedMethod, Registry, ShadowMethod,
 };
+use svbench::{bytemuck, glam, wgpu};
 
 static INFO: MethodInfo = MethodInfo {
     id: "sphere_shadow",
@@ -39,7 +39,7 @@ impl ShadowMethod for SphereShadow {
             let radius = 0.5 * self.scale * (around.high - around.low).max_element();
             (0.5 * (around.low + around.high)).extend(radius).as_vec4()
         });
-        let spheres: Vec<Vec4> = spheres.collect();
+        let spheres: Vec<glam::Vec4> = spheres.collect();
         let (contents, usage) = (bytemuck::cast_slice(&spheres), wgpu::BufferUsages::STORAGE);
         let spheres = on.gpu.buffer("the spheres", contents, usage)?;
         let depth = wgpu::BindingResource::TextureView(&on.stage.targets.depth_only_view);

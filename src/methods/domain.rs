@@ -131,7 +131,7 @@ impl fmt::Display for Domain {
                 write!(f, "{odd}from {min} to {max}")
             }
             Self::Number { min, max, or } => {
-                write!(f, "from {min} to {max}")?;
+                write!(f, "from {} to {}", short(*min), short(*max))?;
                 or.map_or(Ok(()), |word| write!(f, ", or {word}"))
             }
             Self::Choice { choices } => match choices {
@@ -142,6 +142,14 @@ impl fmt::Display for Domain {
             },
             Self::Boolean => write!(f, "true or false"),
         }
+    }
+}
+
+/// A number as people write it: `1e-9` rather than all its zeros.
+fn short(x: f64) -> String {
+    match x.abs() {
+        0.0 | 1e-4..1e7 => x.to_string(),
+        _ => format!("{x:e}"),
     }
 }
 
@@ -215,5 +223,6 @@ mod tests {
         assert!(!or_word.contains(&json!(1.6)) && !or_word.contains(&json!("find")));
         assert!(!or_word.contains(&json!(f64::NAN)));
         assert_eq!(or_word.to_string(), "from 0 to 1.5, or search");
+        assert_eq!(Domain::from(1e-9..=1e9).to_string(), "from 1e-9 to 1e9");
     }
 }

@@ -4,6 +4,7 @@ use super::parameters::{Parameter, ParameterError, configure};
 use super::{MethodInfo, ShadowMethod};
 use super::{cube_shadow_map, shadow_map, silhouette_gs, silhouette_ts, triangle_gs, triangle_ts};
 use crate::toml_error;
+use std::collections::BTreeSet;
 use toml::de::{DeTable, ValueDeserializer};
 
 /// A known method: what it is, and how it is made.
@@ -18,9 +19,17 @@ pub struct Registration {
 impl Registration {
     fn of<M: ShadowMethod + Default + 'static>() -> Self {
         let method = M::default();
+        let (info, parameters) = (method.info(), method.parameters());
+        let mut names = BTreeSet::new();
+        for parameter in &parameters {
+            let (id, name) = (info.id, parameter.name);
+            assert!(names.insert(name), "`{id}` declares `{name}` twice");
+            let fits = parameter.default.is_null() || parameter.domain.contains(&parameter.default);
+            assert!(fits, "the default of `{id}`'s `{name}` is out of its range");
+        }
         Self {
-            info: method.info(),
-            parameters: method.parameters(),
+            info,
+            parameters,
             make: || Box::new(M::default()),
         }
     }
@@ -55,7 +64,8 @@ impl Registry {
     /// These and one more.
     ///
     /// # Panics
-    /// When there is a method of the same id already.
+    /// When there is a method of the same id already, or a parameter is declared twice or with a default out of its
+    /// range.
     #[must_use]
     pub fn with<M: ShadowMethod + Default + 'static>(mut self) -> Self {
         let registration = Registration::of::<M>();

@@ -63,9 +63,9 @@ impl Text {
         }
         for parameter in row.parameters {
             let (name, default) = (parameter.name, parameter.default_text());
-            self.about(format!("parameter: {name} = {default}"));
+            let domain = &parameter.domain;
+            self.about(format!("parameter: {name} = {default} ({domain})"));
             self.detail(&parameter.words);
-            self.detail(&parameter.domain);
         }
         self.availability(row.available, &row.reason);
     }
