@@ -3,11 +3,9 @@
 //! `cargo run --release --example own_method -- run examples/own_method.toml --out own_run`.
 
 use svbench::frame::fullscreen::{buffer_binding, texture_binding};
-use svbench::frame::{FrameResources, MaskPass, MaskShader};
-use svbench::gpu::{FrameRecorder, shader};
-use svbench::methods::{
-    Limit, MethodError, MethodInfo, PrepareContext, PreparedMethod, Registry, ShadowMethod,
-};
+use svbench::frame::{Frame, MaskPass, MaskShader, PreparedMethod};
+use svbench::gpu::shader;
+use svbench::methods::{Limit, MethodError, MethodInfo, PrepareContext, Registry, ShadowMethod};
 use svbench::{bytemuck, glam, wgpu};
 
 static INFO: MethodInfo = MethodInfo {
@@ -61,8 +59,10 @@ impl ShadowMethod for SphereShadow {
 struct Prepared(MaskPass);
 
 impl PreparedMethod for Prepared {
-    fn record(&self, frame: &mut FrameRecorder<'_>, stage: &FrameResources) {
-        frame.stage("spheres", |encoder| self.0.record(encoder, stage));
+    fn record(&mut self, frame: &mut Frame<'_>) -> anyhow::Result<()> {
+        let resources = frame.resources();
+        frame.stage("spheres", |stage| self.0.record(stage, resources));
+        Ok(())
     }
 }
 

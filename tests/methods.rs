@@ -51,12 +51,12 @@ fn draw_all<'a>(
     let verifier = Verifier::new(gpu, scene, &stage, &cache).unwrap();
     let truth = verifier.truth(&scene.camera.view_at(0.0)).unwrap();
     let draw = |method: &str| {
-        let prepared = Registry::builtin()
+        let mut prepared = Registry::builtin()
             .parse(method)
             .unwrap()
             .prepare(&context)
             .unwrap();
-        let mask = verifier.draw_mask(prepared.as_ref(), &truth).unwrap();
+        let mask = verifier.draw_mask(prepared.as_mut(), &truth).unwrap();
         Drawn {
             method: method.to_owned(),
             counts: readback::read_stencil(gpu, &stage.targets.depth).unwrap(),

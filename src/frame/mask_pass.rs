@@ -3,6 +3,7 @@
 use super::FrameResources;
 use super::fullscreen::{self, FullscreenDesc, bind_group, bind_group_layout};
 use super::targets::MASK_FORMAT;
+use crate::gpu::Stage;
 
 /// Keeps the larger of what is there and what is drawn: what is dark already stays so.
 const MAX_BLEND: wgpu::BlendState = {
@@ -36,15 +37,15 @@ pub struct MaskPass {
 }
 
 impl MaskPass {
-    /// One for the frames of `stage`.
-    pub fn new(device: &wgpu::Device, stage: &FrameResources, shader: &MaskShader<'_>) -> Self {
+    /// One for frames of these resources.
+    pub fn new(device: &wgpu::Device, resources: &FrameResources, shader: &MaskShader<'_>) -> Self {
         let label = shader.fragment;
-        let (types, resources): (Vec<_>, Vec<_>) = shader.inputs.iter().cloned().unzip();
+        let (types, inputs): (Vec<_>, Vec<_>) = shader.inputs.iter().cloned().unzip();
         let fragment = wgpu::ShaderStages::FRAGMENT;
         let input_layout = bind_group_layout(device, label, fragment, &types);
         let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
             label: Some(label),
-            bind_group_layouts: &[Some(&stage.uniform.layout), Some(&input_layout)],
+            bind_group_layouts: &[Some(&resources.uniform.layout), Some(&input_layout)],
             ..Default::default()
         });
         let desc = FullscreenDesc {
@@ -54,19 +55,20 @@ impl MaskPass {
         };
         Self {
             pipeline: fullscreen::pipeline(device, &desc),
-            inputs: bind_group(device, &input_layout, &resources),
+            inputs: bind_group(device, &input_layout, &inputs),
         }
     }
 
-    /// Draws it; gives the number of draw calls.
-    pub fn record(&self, encoder: &mut wgpu::CommandEncoder, stage: &FrameResources) -> u32 {
-        let mask = &stage.targets.mask_view;
+    /// Draws it.
+    pub fn record(&self, stage: &mut Stage<'_, '_>, resources: &FrameResources) {
+        let mask = &resources.targets.mask_view;
         let load = wgpu::LoadOp::Load;
-        let mut pass = fullscreen::pass(encoder, "mask", mask, load, None);
+        let mut pass = fullscreen::pass(stage.encoder(), "mask", mask, load, None);
         pass.set_pipeline(&self.pipeline);
-        pass.set_bind_group(0, &stage.uniform.bind_group, &[]);
+        pass.set_bind_group(0, &resources.uniform.bind_group, &[]);
         pass.set_bind_group(1, &self.inputs, &[]);
         pass.draw(0..3, 0..1);
-        1
+        drop(pass);
+        stage.count_draws(1);
     }
 }

@@ -5,6 +5,7 @@ use super::capability::Capability;
 use super::error::GpuError;
 use super::fault::{DeviceError, Faults, poll};
 use super::native;
+use super::uploads::Uploads;
 use crate::memory;
 use std::collections::BTreeSet;
 use std::sync::Arc;
@@ -30,6 +31,7 @@ pub struct Gpu {
     /// What the adapter says of itself.
     pub info: wgpu::AdapterInfo,
     pub(super) memory: MemoryLimits,
+    pub(super) uploads: Arc<Uploads>,
     capabilities: BTreeSet<Capability>,
     faults: Arc<Faults>,
     options: GpuOptions,
@@ -88,6 +90,7 @@ impl Gpu {
                 host_at_opening: memory::available_bytes(),
             },
             faults: Faults::of(&device),
+            uploads: Arc::new(Uploads::new(&device)),
             options: options.clone(),
             device,
             queue,

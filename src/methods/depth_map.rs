@@ -3,9 +3,9 @@
 use super::light_depth::Rounding;
 use super::limit::PRECISION_LIMIT;
 use super::{
-    BiasSearch, Bound, Domain, Limit, MethodError, MethodInfo, PrepareContext, PreparedMethod,
-    ShadowMethod,
+    BiasSearch, Bound, Domain, Limit, MethodError, MethodInfo, PrepareContext, ShadowMethod,
 };
+use crate::frame::PreparedMethod;
 use crate::metrics::Label;
 use crate::parameters;
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de};

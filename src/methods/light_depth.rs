@@ -2,9 +2,9 @@
 
 use super::{MethodError, PrepareContext};
 use crate::frame::fullscreen::{buffer_binding, texture_binding};
-use crate::frame::{FrameResources, MaskPass, MaskShader, SceneBuffers};
+use crate::frame::{Frame, MaskPass, MaskShader, SceneBuffers};
 use crate::geometry::Bounds;
-use crate::gpu::{FrameRecorder, Gpu, shader};
+use crate::gpu::{Gpu, Stage, shader};
 use bytemuck::{Pod, Zeroable};
 use glam::{Mat4, Vec3, Vec4};
 use std::ops::Range;
@@ -122,29 +122,33 @@ pub(super) fn pipeline(gpu: &Gpu, slope_bias: f32) -> wgpu::RenderPipeline {
         })
 }
 
-/// Draws `objects` into one layer; gives the number of draw calls.
+/// Draws `objects` into one layer.
 pub(super) fn draw(
-    encoder: &mut wgpu::CommandEncoder,
+    stage: &mut Stage<'_, '_>,
     layer: &wgpu::TextureView,
     (pipeline, light): (&wgpu::RenderPipeline, &wgpu::BindGroup),
     scene: &SceneBuffers,
     objects: &[Range<u32>],
-) -> u32 {
-    let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-        label: Some("shadow map"),
-        depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
-            view: layer,
-            depth_ops: Some(wgpu::Operations {
-                load: wgpu::LoadOp::Clear(0.0),
-                store: wgpu::StoreOp::Store,
+) {
+    let mut pass = stage
+        .encoder()
+        .begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some("shadow map"),
+            depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
+                view: layer,
+                depth_ops: Some(wgpu::Operations {
+                    load: wgpu::LoadOp::Clear(0.0),
+                    store: wgpu::StoreOp::Store,
+                }),
+                stencil_ops: None,
             }),
-            stencil_ops: None,
-        }),
-        ..Default::default()
-    });
+            ..Default::default()
+        });
     pass.set_pipeline(pipeline);
     pass.set_bind_group(0, light, &[]);
-    scene.draw(&mut pass, objects)
+    let draw_calls = scene.draw(&mut pass, objects);
+    drop(pass);
+    stage.count_draws(draw_calls);
 }
 
 /// The pass over the picture that looks the map up.
@@ -184,7 +188,8 @@ impl Lookup {
     }
 
     /// Records the stage `lookup`.
-    pub(super) fn record(&self, frame: &mut FrameRecorder<'_>, stage: &FrameResources) {
-        frame.stage("lookup", |encoder| self.0.record(encoder, stage));
+    pub(super) fn record(&self, frame: &mut Frame<'_>) {
+        let resources = frame.resources();
+        frame.stage("lookup", |stage| self.0.record(stage, resources));
     }
 }

@@ -3,8 +3,9 @@
 
 use super::volume_parameters::VolumeParameters;
 use super::volumes::{self, STENCIL, StencilVolumes};
-use super::{MethodError, MethodInfo, PrepareContext, PreparedMethod, ShadowMethod};
+use super::{MethodError, MethodInfo, PrepareContext, ShadowMethod};
 use crate::frame::DepthSetup;
+use crate::frame::PreparedMethod;
 use crate::gpu::Capability;
 use crate::gpu::native::PrimitiveTopology;
 use crate::gpu::shader;

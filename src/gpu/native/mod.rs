@@ -20,7 +20,7 @@ mod support;
 mod target;
 
 pub use bindings::{BindingKind, Bindings};
-pub use geometry::IndexedGeometry;
+pub use geometry::{IndexedGeometry, IndirectDraws};
 pub use memory::{free_heap_bytes, most_bytes_at_once};
 pub use open::open;
 pub use pass::NativePass;

@@ -7,8 +7,9 @@ mod edges;
 
 use super::volume_parameters::VolumeParameters;
 use super::volumes::{self, Faces, StencilVolumes};
-use super::{MethodError, MethodInfo, PrepareContext, PreparedMethod, ShadowMethod};
+use super::{MethodError, MethodInfo, PrepareContext, ShadowMethod};
 use crate::frame::DepthSetup;
+use crate::frame::PreparedMethod;
 use crate::gpu::Gpu;
 use crate::gpu::native::{PrimitiveTopology, Raster};
 use crate::gpu::shader::{self, Spirv};
