@@ -3,8 +3,8 @@
 use super::values;
 use crate::config::{ConfigError, find_scene};
 use crate::metrics::MaskError;
-use crate::scene::camera::radians;
 use crate::scene::file::MeshSource;
+use crate::scene::view::radians;
 use crate::scene::{Scene, Up, View};
 use glam::{Vec3, Vec4};
 use std::path::{Path, PathBuf};

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use glam::Vec3;
 
-use super::camera::radians;
+use super::view::radians;
 use super::{CameraPath, Mesh, Scene, SceneError, SceneFile};
 use crate::output;
 

@@ -15,6 +15,7 @@ pub mod part;
 mod polygon;
 pub mod scene_error;
 pub mod sphere_grid;
+pub mod view;
 mod weld;
 mod wire;
 
@@ -22,7 +23,7 @@ use std::path::Path;
 
 use glam::{Vec3, Vec4};
 
-pub use camera::{CameraKey, CameraPath, View};
+pub use camera::{CameraKey, CameraPath};
 pub use export::ExportError;
 pub use file::SceneFile;
 pub use light::LightError;
@@ -32,6 +33,7 @@ pub use obj::{Model, ObjError, Up};
 pub use part::Part;
 pub use scene_error::SceneError;
 pub use sphere_grid::{SphereGrid, SphereGridError};
+pub use view::View;
 
 /// All that a frame needs to know about the world: plain data.
 #[derive(Clone, Debug, PartialEq)]

@@ -8,11 +8,12 @@ use glam::{DVec3, Vec3, Vec4};
 use serde::Deserialize;
 use toml::Spanned;
 
-use super::camera::{CameraError, CameraKey, CameraPath, radians};
+use super::camera::{CameraKey, CameraPath};
 use super::file::{Expect, MeshSource, Receiver, SceneFile};
 use super::light::{LightError, light};
 use super::obj::Up;
 use super::sphere_grid::SphereGrid;
+use super::view::{CameraError, radians};
 use crate::toml_array::Exactly;
 
 /// Something that cannot be, and the part of the text that says it.
