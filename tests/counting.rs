@@ -12,7 +12,7 @@ use svbench::config::find_scene;
 use svbench::frame::FrameResources;
 use svbench::gpu::{FrameRecorder, FrameTimer, readback};
 use svbench::methods::{PrepareContext, PreparedMethod, parameters::parse_method};
-use svbench::scene::View;
+use svbench::scene::{Light, Moment, View};
 
 const SIZE_PX: (u32, u32) = (320, 240);
 const VIEWS: usize = 200;
@@ -53,7 +53,7 @@ fn auto_is_z_fail_with_fewer_draws() {
     let gpu = device();
     let plan = find_scene("sphere_grid", Path::new("")).unwrap();
     let scene = plan.file.load(&plan.search).unwrap();
-    let light = scene.light.truncate();
+    let light = scene.flight.at(0.0).light.place.truncate();
     let stage = FrameResources::new(&gpu, &scene, SIZE_PX.0, SIZE_PX.1).unwrap();
     let context = PrepareContext::new(&gpu, &scene, &stage);
     let prepare = |method: &str, counting: &str| -> Box<dyn PreparedMethod> {
@@ -91,10 +91,11 @@ fn auto_is_z_fail_with_fewer_draws() {
         let view = View {
             eye,
             target: point(Vec3::new(-12.0, 0.0, -12.0), Vec3::new(12.0, 3.0, 12.0)),
-            ..scene.camera.view_at(0.0)
+            ..scene.flight.at(0.0).view
         };
         shadowed_eyes += usize::from(in_shadow(eye, light));
-        stage.set_view(&gpu, &view, Vec4::from((light, 1.0)));
+        let light = Light::at(light.extend(1.0));
+        stage.set_view(&gpu, &Moment { view, light });
         for (method, (z_fail, auto)) in METHODS.iter().zip(&pairs) {
             let (expected, found) = (mask(z_fail.as_ref()), mask(auto.as_ref()));
             let differing = (0..expected.len()).filter(|&i| expected[i] != found[i]);

@@ -64,7 +64,7 @@ impl MapKind for SixViews {
         context: &PrepareContext<'_>,
         map: &MapParameters,
     ) -> Result<Box<dyn PreparedMethod>, MethodError> {
-        let light = context.scene.light;
+        let light = context.scene.flight.at(0.0).light.place;
         if light.w == 0.0 {
             let reason = "needs a light at a point; this one is at infinity, or too far away to tell from it";
             return Err(MethodError::Unavailable(reason.to_owned()));

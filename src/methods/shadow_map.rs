@@ -59,7 +59,8 @@ impl MapKind for OneView {
         map: &MapParameters,
     ) -> Result<Box<dyn PreparedMethod>, MethodError> {
         let scene = context.scene;
-        let frustum = LightFrustum::around_casters(&scene.mesh, scene.light).ok_or_else(|| {
+        let frustum = LightFrustum::around_casters(&scene.mesh, scene.flight.at(0.0).light.place)
+            .ok_or_else(|| {
             MethodError::Unavailable("no caster lies before the light in any one view".to_owned())
         })?;
         Ok(Box::new(PreparedMap::new(context, map, frustum)?))

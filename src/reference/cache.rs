@@ -1,6 +1,5 @@
 //! Reference masks kept on disk: one 8-bit grey PNG a mask, named by what it was traced from and sealed.
 
-use glam::Vec4;
 use std::fs::File;
 use std::io::BufReader;
 use std::path::{Path, PathBuf};
@@ -10,6 +9,7 @@ use std::time::SystemTime;
 use super::cache_folder::{Contents, MASK_SUFFIX, PREFIX};
 use super::{ReferenceMask, ReferenceView, Verdict};
 use crate::output;
+use crate::scene::Light;
 
 /// Part of every key: raise it whenever a verdict may come out otherwise, so that masks traced by
 /// an older program are not found.
@@ -24,17 +24,14 @@ impl CacheKey {
     /// [`Reference::new`](super::Reference::new) is given: positions, triangles, and which of
     /// them cast.
     #[must_use]
-    pub fn new(scene_hash: &str, light: Vec4, view: &ReferenceView, triangle_ids: &[u32]) -> Self {
+    pub fn new(scene_hash: &str, light: Light, view: &ReferenceView, triangle_ids: &[u32]) -> Self {
         let mut hasher = blake3::Hasher::new();
         hasher.update(&FORMAT_VERSION.to_le_bytes());
         // Its length first, so that no hash runs into what follows.
         hasher.update(&(scene_hash.len() as u64).to_le_bytes());
         hasher.update(scene_hash.as_bytes());
-        for value in light
-            .to_array()
-            .into_iter()
-            .chain(view.view_projection.to_cols_array())
-        {
+        let light = light.place.to_array().into_iter().chain([light.radius]);
+        for value in light.chain(view.view_projection.to_cols_array()) {
             hasher.update(&value.to_le_bytes());
         }
         hasher.update(&view.width.to_le_bytes());

@@ -67,6 +67,9 @@ pub enum ReferenceError {
     /// The light is not finite, or a direction of length zero.
     #[error("the light is neither a finite point nor a direction")]
     BadLight,
+    /// The light is a ball, whose shadows are soft.
+    #[error("the light has a radius, and soft shadows are not traced")]
+    LightHasSize,
     /// A picture has another number of pixels than the view.
     #[error("{found} pixels given for a picture of {expected}")]
     WrongSize {

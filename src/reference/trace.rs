@@ -1,14 +1,15 @@
 //! From a scene, a light and a picture of triangle ids to the verdict of each pixel.
 
-use glam::{DVec2, DVec3, Vec3, Vec4};
+use glam::{DVec2, DVec3, Vec3};
 use rayon::prelude::*;
 
 use super::contact::{Contact, EdgeContact, contact, coplanar};
-use super::segment::{Light, Plane, Segment};
+use super::segment::{ExactLight, Plane, Segment};
 use super::surface::{hit, point_seen};
 use super::tree::{Primitive, Tree, Visit};
 use super::view::Projection;
 use super::{RELATIVE_TOLERANCE, ReferenceError, ReferenceMask, ReferenceView, Verdict};
+use crate::scene::Light;
 
 /// A scene, ready to answer what is in shadow.
 pub struct Reference {
@@ -62,17 +63,15 @@ impl Reference {
     /// Judges a picture of triangle ids: one a pixel, by rows from the top, 0 for background and
     /// otherwise the index of the triangle plus one.
     ///
-    /// The light is a point (w = 1) or the direction towards it (w = 0).
-    ///
     /// # Errors
     /// Any [`ReferenceError`] but `BadTriangle`.
     pub fn trace(
         &self,
-        light: Vec4,
+        light: Light,
         view: &ReferenceView,
         triangle_ids: &[u32],
     ) -> Result<ReferenceMask, ReferenceError> {
-        let (light, projection) = (Light::new(light)?, Projection::new(view)?);
+        let (light, projection) = (ExactLight::new(light)?, Projection::new(view)?);
         self.check_ids(view, triangle_ids)?;
         let width = view.width as usize;
         let mut verdicts = vec![Verdict::Background; triangle_ids.len()];
@@ -99,7 +98,7 @@ impl Reference {
     fn judge_pixel(
         &self,
         projection: &Projection,
-        light: Light,
+        light: ExactLight,
         pixel: &Pixel<'_>,
         last_blocker: &mut LastBlocker,
     ) -> Verdict {
@@ -172,7 +171,7 @@ impl Reference {
         own: &Primitive,
         point: DVec3,
         eye: DVec3,
-        light: Light,
+        light: ExactLight,
         last_blocker: &mut LastBlocker,
     ) -> Verdict {
         let segment = Segment::new(point, light, self.tree.scale);
@@ -184,7 +183,7 @@ impl Reference {
     }
 
     /// Whether eye and light are on different sides of the triangle `own`, which is dark wherever it is seen then.
-    fn is_dark_side(&self, own: &Primitive, point: DVec3, eye: DVec3, light: Light) -> bool {
+    fn is_dark_side(&self, own: &Primitive, point: DVec3, eye: DVec3, light: ExactLight) -> bool {
         let segment = Segment::new(point, light, self.tree.scale);
         let (eye_side, light_side) = self.sides(own, &segment, eye);
         eye_side * light_side < 0

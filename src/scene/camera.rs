@@ -2,6 +2,7 @@
 
 use glam::Vec3;
 
+use super::spline::{self, Key};
 use super::view::{CameraError, View};
 
 /// What is wrong with a camera path.
@@ -10,16 +11,6 @@ use super::view::{CameraError, View};
 pub struct CameraPathError {
     /// The key at fault, if it is one of them.
     pub key: Option<usize>,
-    /// What is wrong there.
-    pub problem: CameraError,
-}
-
-/// Why a frame of a flight has no picture.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-#[error("no picture at {time_s} s of the flight: {problem}")]
-pub struct FrameError {
-    /// When on the flight.
-    pub time_s: f64,
     /// What is wrong there.
     pub problem: CameraError,
 }
@@ -35,11 +26,13 @@ pub struct CameraKey {
     pub target: Vec3,
 }
 
-/// A smooth flight through keys.
-///
-/// Eye and target follow a Catmull-Rom spline whose knots are the times of the keys: it passes
-/// through each key at its time, and its velocity has no jumps. Two keys make a straight line,
-/// one makes a still picture.
+impl Key for CameraKey {
+    fn time_s(&self) -> f64 {
+        self.time_s
+    }
+}
+
+/// A smooth flight through keys: eye and target follow a Catmull-Rom spline. One key makes a still picture.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CameraPath {
     /// At least one key; times begin at 0 and increase.
@@ -62,30 +55,41 @@ impl CameraPath {
         // The cone of view touches the sphere around the box.
         let distance = radius / (fov_y_rad / 2.0).sin();
         let eye = centre + distance * Vec3::new(1.0, 0.8, 1.6).normalize();
-        let keys = vec![CameraKey {
-            time_s: 0.0,
+        Self::still(&View {
             eye,
             target: centre,
-        }];
-        Self {
-            keys,
             up: Vec3::Y,
             fov_y_rad,
             near: 0.01 * radius,
+        })
+    }
+
+    /// A camera that does not move.
+    #[must_use]
+    pub fn still(view: &View) -> Self {
+        let View {
+            eye,
+            target,
+            up,
+            fov_y_rad,
+            near,
+        } = *view;
+        let time_s = 0.0;
+        Self {
+            keys: vec![CameraKey {
+                time_s,
+                eye,
+                target,
+            }],
+            up,
+            fov_y_rad,
+            near,
         }
     }
 
     /// How long the flight takes.
     pub fn duration_s(&self) -> f64 {
-        self.keys.last().map_or(0.0, |key| key.time_s)
-    }
-
-    /// The times of `count` frames, evenly spaced from start to end; one frame is the start.
-    pub fn frame_times(&self, count: usize) -> Vec<f64> {
-        let last = count.saturating_sub(1).max(1) as f64;
-        (0..count)
-            .map(|frame| self.duration_s() * (frame as f64 / last))
-            .collect()
+        spline::duration_s(&self.keys)
     }
 
     /// The view at a time; before the start it is the first, and after the end the last.
@@ -94,68 +98,13 @@ impl CameraPath {
     ///
     /// If there are no keys, which [`validate`](Self::validate) reports.
     pub fn view_at(&self, time_s: f64) -> View {
-        let time_s = time_s.clamp(0.0, self.duration_s());
-        let after = self.keys.partition_point(|key| key.time_s <= time_s);
-        let i = after.saturating_sub(1);
-        let (eye, target) = match self.keys.get(i + 1) {
-            None => (self.keys[i].eye, self.keys[i].target),
-            Some(next) => {
-                let key = self.keys[i];
-                let s = (time_s - key.time_s) / (next.time_s - key.time_s);
-                (
-                    self.interpolate(i, s, |key| key.eye),
-                    self.interpolate(i, s, |key| key.target),
-                )
-            }
-        };
         View {
-            eye,
-            target,
+            eye: spline::sample(&self.keys, time_s, |key| key.eye),
+            target: spline::sample(&self.keys, time_s, |key| key.target),
             up: self.up,
             fov_y_rad: self.fov_y_rad,
             near: self.near,
         }
-    }
-
-    /// The cubic between keys `i` and `i + 1` at `s` from 0 to 1, by Hermite's basis.
-    fn interpolate(&self, i: usize, s: f64, of: impl Fn(&CameraKey) -> Vec3) -> Vec3 {
-        let duration_s = self.keys[i + 1].time_s - self.keys[i].time_s;
-        let [m0, m1] = [i, i + 1].map(|k| self.velocity(k, &of) * duration_s as f32);
-        let [p0, p1] = [i, i + 1].map(|k| of(&self.keys[k]));
-        let (s1, s2, s3) = (s as f32, (s * s) as f32, (s * s * s) as f32);
-        let blend = 3.0 * s2 - 2.0 * s3;
-        p0 + (p1 - p0) * blend + m0 * (s3 - 2.0 * s2 + s1) + m1 * (s3 - s2)
-    }
-
-    /// Units a second at key `i`: the slope there of the parabola through the key and its two
-    /// neighbours; at an end, of the line to the only neighbour.
-    fn velocity(&self, i: usize, of: impl Fn(&CameraKey) -> Vec3) -> Vec3 {
-        let slope = |from: usize, to: usize| {
-            let (from, to) = (&self.keys[from], &self.keys[to]);
-            let duration_s = to.time_s - from.time_s;
-            ((of(to) - of(from)) / duration_s as f32, duration_s)
-        };
-        if i == 0 {
-            return slope(0, 1).0;
-        }
-        let (before, before_s) = slope(i - 1, i);
-        if i + 1 == self.keys.len() {
-            return before;
-        }
-        let (after, after_s) = slope(i, i + 1);
-        // The shorter side weighs more.
-        before.lerp(after, (before_s / (before_s + after_s)) as f32)
-    }
-
-    /// The first of some times on the flight at which there is no picture, and why.
-    ///
-    /// # Errors
-    /// When there is one.
-    pub fn check_times(&self, mut times_s: impl Iterator<Item = f64>) -> Result<(), FrameError> {
-        times_s.try_for_each(|time_s| {
-            let checked = self.view_at(time_s).validate();
-            checked.map_err(|problem| FrameError { time_s, problem })
-        })
     }
 
     /// Says what is wrong with the keys, if anything. Between good keys the flight may still pass
@@ -165,21 +114,13 @@ impl CameraPath {
         if self.keys.is_empty() {
             return Err(at_key(None)(CameraError::NoKeys));
         }
-        let mut earliest_s = 0.0;
-        for (i, key) in self.keys.iter().enumerate() {
-            let in_order = if i == 0 {
-                key.time_s == 0.0
-            } else {
-                key.time_s > earliest_s
-            };
-            if !in_order || !key.time_s.is_finite() {
-                return Err(at_key(Some(i))(CameraError::KeyTimes));
-            }
-            // The views below also depend on the neighbours of a key, and would blame one of them.
-            if !key.eye.is_finite() || !key.target.is_finite() {
-                return Err(at_key(Some(i))(CameraError::NotFinite));
-            }
-            earliest_s = key.time_s;
+        if let Some(key) = spline::out_of_order(&self.keys) {
+            return Err(at_key(Some(key))(CameraError::KeyTimes));
+        }
+        // The views below also depend on the neighbours of a key, and would blame one of them.
+        let is_finite = |key: &CameraKey| key.eye.is_finite() && key.target.is_finite();
+        if let Some(key) = self.keys.iter().position(|key| !is_finite(key)) {
+            return Err(at_key(Some(key))(CameraError::NotFinite));
         }
         for (i, key) in self.keys.iter().enumerate() {
             self.view_at(key.time_s)

@@ -56,16 +56,6 @@ fn two_keys_make_a_line_and_one_a_still() {
         (still.duration_s(), still.view_at(3.0)),
         (0.0, still.view_at(0.0))
     );
-    assert_eq!(still.frame_times(3), [0.0; 3]);
-}
-
-#[test]
-fn frames_are_evenly_spaced_from_start_to_end() {
-    let path = path(&[0.0, 1.0, 3.0]);
-    assert_eq!(path.frame_times(4), [0.0, 1.0, 2.0, 3.0]);
-    assert_eq!(path.frame_times(1), [0.0]);
-    assert!(path.frame_times(0).is_empty());
-    assert_eq!(path.frame_times(977)[976], 3.0);
 }
 
 #[test]
@@ -114,27 +104,4 @@ proptest! {
         let eye = path.view_at(fraction * 4.0).eye;
         prop_assert!((-1.0..=4.0).contains(&eye.x) && (eye.z - 5.0).abs() < 1e-5);
     }
-}
-
-#[test]
-fn the_first_time_without_a_picture_is_named() {
-    let key = |time_s, eye, target| CameraKey {
-        time_s,
-        eye,
-        target,
-    };
-    let (here, there) = (Vec3::Z * 6.0, Vec3::ZERO);
-    let path = CameraPath {
-        keys: vec![key(0.0, here, there), key(2.0, there, here)],
-        up: Vec3::Y,
-        fov_y_rad: 1.0,
-        near: 0.1,
-    };
-    assert_eq!(path.validate(), Ok(()), "its keys are good");
-    assert_eq!(path.check_times([0.0, 0.5, 2.0].into_iter()), Ok(()));
-    let error = path.check_times([0.0, 1.0, 2.0].into_iter()).unwrap_err();
-    assert_eq!(
-        (error.time_s, error.problem),
-        (1.0, CameraError::NoDirection)
-    );
 }
