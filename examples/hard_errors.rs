@@ -7,7 +7,7 @@
 #![allow(clippy::print_stdout, reason = "what it finds is its result")]
 
 use anyhow::Context;
-use glam::{Vec3, Vec4};
+use glam::Vec3;
 use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use std::path::Path;

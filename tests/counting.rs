@@ -4,7 +4,7 @@
 mod common;
 
 use common::device;
-use glam::{Vec3, Vec4};
+use glam::Vec3;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use std::path::Path;
