@@ -130,7 +130,7 @@ fn main() -> anyhow::Result<()> {
             let hard = verifier.hard_errors(&mask, &truth)?;
             let hidden = hard
                 .iter()
-                .filter(|px| truth.mask.verdicts[**px] == Verdict::Ambiguous);
+                .filter(|px| truth.mask.verdict(**px) == Verdict::Ambiguous);
             let false_lit = hard.iter().filter(|px| mask[**px] == 0).count() as u64;
             let row = [
                 hard.len() as u64,

@@ -164,8 +164,8 @@ impl<'a> Verifier<'a> {
     pub fn true_picture(&self, truth: &Truth) -> anyhow::Result<Vec<u8>> {
         let gpu = self.gpu;
         self.stage.set_view(gpu, &truth.moment);
-        let in_shadow = |verdict: &Verdict| u8::from(*verdict == Verdict::Shadowed) * u8::MAX;
-        let mask: Vec<u8> = truth.mask.verdicts.iter().map(in_shadow).collect();
+        let in_shadow = |verdict: Verdict| u8::from(verdict == Verdict::Shadowed) * u8::MAX;
+        let mask: Vec<u8> = truth.mask.verdicts().map(in_shadow).collect();
         gpu.attempt(|| {
             let mut frame = FrameRecorder::untimed(gpu);
             self.stage.record_gbuffer(&mut frame);
@@ -227,7 +227,7 @@ impl<'a> Verifier<'a> {
         let evidence = reference.evidence(truth.moment.light, &truth.view, &truth.triangle_ids)?;
         let look = |&pixel: &usize| PixelTruth {
             triangle: truth.triangle_ids[pixel].checked_sub(1),
-            verdict: mask.verdicts[pixel],
+            verdict: mask.verdict(pixel),
             at_boundary: probe.near_boundary(pixel as u32 % mask.width, pixel as u32 / mask.width),
             at_seam: evidence.at_inner_edge(pixel, SEAM_STEPS),
         };
@@ -246,7 +246,7 @@ impl<'a> Verifier<'a> {
         let width = truth.mask.width;
         let is_hard = |pixel: &usize| {
             let is_shadowed = MaskComparison::is_shadowed(mask[*pixel]);
-            let verdict = truth.mask.verdicts[*pixel];
+            let verdict = truth.mask.verdict(*pixel);
             let differs = |verdict| is_shadowed != (verdict == Verdict::Shadowed);
             (verdict == Verdict::Ambiguous || differs(verdict)) && {
                 let (x, y) = (*pixel as u32 % width, *pixel as u32 / width);
@@ -278,8 +278,8 @@ impl<'a> Verifier<'a> {
     pub fn flip(&self, truth: &Truth, true_picture: &[u8], picture: &[u8]) -> anyhow::Result<f64> {
         let mut expected = true_picture.to_vec();
         let pixels = expected.chunks_exact_mut(4).zip(picture.chunks_exact(4));
-        for ((expected, found), verdict) in pixels.zip(&truth.mask.verdicts) {
-            if *verdict == Verdict::Ambiguous {
+        for ((expected, found), verdict) in pixels.zip(truth.mask.verdicts()) {
+            if verdict == Verdict::Ambiguous {
                 expected.copy_from_slice(found);
             }
         }
@@ -290,10 +290,10 @@ impl<'a> Verifier<'a> {
 
 /// Pixels that are wrong, wherever.
 fn wrong_px(mask: &[u8], truth: &ReferenceMask) -> usize {
-    let is_wrong = |(value, verdict): &(&u8, &Verdict)| {
-        MaskComparison::is_shadowed(**value) != (**verdict == Verdict::Shadowed)
+    let is_wrong = |(value, verdict): &(&u8, Verdict)| {
+        MaskComparison::is_shadowed(**value) != (*verdict == Verdict::Shadowed)
     };
-    mask.iter().zip(&truth.verdicts).filter(is_wrong).count()
+    mask.iter().zip(truth.verdicts()).filter(is_wrong).count()
 }
 
 /// Which errors of a method's masks come or go from one view to the next.

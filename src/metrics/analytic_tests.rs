@@ -88,7 +88,7 @@ fn check(shot: &Shot, blocks: fn(DVec3) -> bool, normal: fn(DVec3) -> DVec3) {
         (-1..=1).any(|dy| (-1..=1).any(|dx| differs(dx, dy)))
     };
     let (mut compared, mut in_shadow) = (0, 0);
-    for (pixel, (verdict, formula)) in shot.truth.verdicts.iter().zip(&formula).enumerate() {
+    for (pixel, (verdict, formula)) in shot.truth.verdicts().zip(&formula).enumerate() {
         let agrees = match (verdict, formula) {
             (Verdict::Background, None) | (Verdict::Ambiguous, _) => true,
             (Verdict::Lit, Some(shadowed)) => !shadowed,

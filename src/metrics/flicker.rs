@@ -23,7 +23,7 @@ impl Flicker {
         after: &MaskComparison<'_>,
     ) -> Self {
         let state = |comparison: &MaskComparison<'_>, pixel: usize| {
-            let verdict = *comparison.truth.verdicts.get(pixel)?;
+            let verdict = Verdict::of(*comparison.truth.visibility.get(pixel)?);
             let decided = matches!(verdict, Verdict::Lit | Verdict::Shadowed);
             decided.then(|| (verdict, comparison.results()[pixel] == PixelResult::Right))
         };

@@ -80,9 +80,9 @@ impl SurroundingsProbe<'_> {
         let (tree, projection) = (&self.reference.tree, &self.projection);
         let own = tree.primitive(triangle);
         let point = point_seen(projection, centre_px, &own.corners, tree.scale)?;
-        Some(
-            self.reference
-                .judge(own, point, projection.eye, self.light, &mut None),
-        )
+        let visibility = self
+            .reference
+            .judge(own, point, projection.eye, self.light, &mut None);
+        Some(Verdict::of(Some(visibility)))
     }
 }

@@ -44,7 +44,7 @@ impl<'a> BoundaryProbe<'a> {
         truth: &'a ReferenceMask,
         wrong_px: usize,
     ) -> Result<Self, ReferenceError> {
-        let (expected, found) = (view.pixel_count(), truth.verdicts.len());
+        let (expected, found) = (view.pixel_count(), truth.visibility.len());
         if (truth.width, truth.height) != (view.width, view.height) || expected != found {
             return Err(ReferenceError::WrongSize { expected, found });
         }

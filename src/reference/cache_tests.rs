@@ -1,3 +1,5 @@
+use super::super::Verdict;
+use super::super::fixtures::of_verdicts;
 use super::*;
 use glam::{Mat4, Vec4};
 use std::convert::Infallible;
@@ -21,7 +23,7 @@ fn mask() -> ReferenceMask {
         Verdict::Shadowed,
         Verdict::Ambiguous,
     ];
-    ReferenceMask::new(2, 2, verdicts).unwrap()
+    of_verdicts(2, 2, verdicts)
 }
 
 /// Asks for the mask, and says whether it had to be traced.
@@ -106,7 +108,7 @@ fn a_file_of_other_verdicts_size_or_key_is_traced_anew() {
     let whole = std::fs::read(&path).unwrap();
     let lit = |width, height| {
         let verdicts = vec![Verdict::Lit; (width * height) as usize];
-        ReferenceMask::new(width, height, verdicts).unwrap()
+        of_verdicts(width, height, verdicts)
     };
     let other_key = CacheKey::new("other scene", LIGHT, &VIEW, &IDS);
     for (other, sealed_by) in [

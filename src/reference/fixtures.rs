@@ -5,8 +5,24 @@ use glam::camera::rh::view::look_at_mat4;
 use glam::{DVec3, Vec3};
 
 use super::view::{EyeRay, Projection};
-use super::{Reference, ReferenceMask, ReferenceView, Verdict};
+use super::{Reference, ReferenceMask, ReferenceView, Verdict, Visibility};
 use crate::scene::Light;
+
+/// What is known of a pixel of this verdict under a light without size.
+pub(crate) fn visibility(verdict: Verdict) -> Option<Visibility> {
+    match verdict {
+        Verdict::Background => None,
+        Verdict::Lit => Some(Visibility::FULL),
+        Verdict::Shadowed => Some(Visibility::NONE),
+        Verdict::Ambiguous => Some(Visibility::UNKNOWN),
+    }
+}
+
+/// A mask of these verdicts.
+pub(crate) fn of_verdicts(width: u32, height: u32, verdicts: Vec<Verdict>) -> ReferenceMask {
+    let pixels = verdicts.into_iter().map(visibility);
+    ReferenceMask::new(width, height, pixels.collect()).unwrap()
+}
 
 /// Positions, triangles, and the number of triangles at the front that cast.
 #[derive(Clone, Default)]

@@ -12,7 +12,7 @@ use super::segment::ExactLight;
 use super::surface::meets_well_inside;
 use super::tree::Primitive;
 use super::view::Projection;
-use super::{Reference, Verdict};
+use super::{Reference, Verdict, Visibility};
 
 /// The step of the grid: eight bits below the pixel on every desktop GPU, as Direct3D asks for.
 const GRID_PX: f64 = 1.0 / 256.0;
@@ -35,16 +35,16 @@ impl Projection {
 }
 
 impl Reference {
-    /// The verdicts at those of eight places around a pixel's centre, one step of the grid away, that show the
+    /// How much of the light reaches those of eight places around a pixel's centre, one step of the grid away, that show the
     /// surface of the triangle `own`: itself, a copy, or one that has a corner in common with it. What else is seen
     /// there is not what the pixel shows.
-    pub(super) fn verdicts_around(
+    pub(super) fn visibility_around(
         &self,
         projection: &Projection,
         centre_px: DVec2,
         own: &Primitive,
         light: ExactLight,
-    ) -> impl Iterator<Item = Verdict> {
+    ) -> impl Iterator<Item = Visibility> {
         let steps = (-1..=1).flat_map(|y| (-1..=1).map(move |x| (f64::from(x), f64::from(y))));
         let around = steps.filter(|step| *step != (0.0, 0.0));
         around.filter_map(move |(x, y)| {
@@ -66,9 +66,9 @@ impl Reference {
         light: ExactLight,
     ) -> Verdict {
         let seen = self.visible(projection, place_px);
-        seen.map_or(Verdict::Background, |(own, point)| {
-            self.judge(own, point, projection.eye, light, &mut None)
-        })
+        Verdict::of(
+            seen.map(|(own, point)| self.judge(own, point, projection.eye, light, &mut None)),
+        )
     }
 
     /// Whether the surface goes on all around a pixel's centre close to an edge of the triangle `own`, for

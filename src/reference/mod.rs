@@ -27,6 +27,7 @@ mod trace;
 mod tree;
 mod verdict;
 mod view;
+mod visibility;
 
 #[cfg(test)]
 pub(crate) mod fixtures;
@@ -41,6 +42,7 @@ pub use motion::Motion;
 pub use trace::Reference;
 pub use verdict::{ReferenceMask, Verdict};
 pub use view::ReferenceView;
+pub use visibility::Visibility;
 
 /// How far a decision may be from turning, relative to the scene, and still count as undecided.
 ///

@@ -6,7 +6,7 @@ use proptest::prelude::*;
 use super::fixtures::{Random, Scene, sphere, square, view};
 use super::segment::{ExactLight, Segment};
 use super::view::Projection;
-use super::{BoundaryProbe, Reference, ReferenceError, ReferenceView, Verdict};
+use super::{BoundaryProbe, Reference, ReferenceError, ReferenceView, Verdict, Visibility};
 use crate::scene::Light;
 
 const LIGHT: Light = Light::at(Vec4::new(0.3, 6.0, 0.2, 1.0));
@@ -60,7 +60,7 @@ fn a_roof_casts_its_projection() {
                 }
             };
             shadowed += u32::from(expected == Verdict::Shadowed);
-            let found = mask.verdicts[pixel];
+            let found = mask.verdict(pixel);
             assert!(
                 found == expected || found == Verdict::Ambiguous,
                 "{found:?} at {centre_px}"
@@ -134,7 +134,7 @@ fn a_pixel_of_a_degenerate_triangle_is_ambiguous() {
     let reference = Scene::default().cast(&[line]).reference();
     let view = view(Vec3::new(0.0, 4.0, 0.0), Vec3::ZERO, 1, 1);
     let mask = reference.trace(LIGHT, &view, &[1]).unwrap();
-    assert_eq!(mask.verdicts, [Verdict::Ambiguous]);
+    assert_eq!(mask.visibility, [Some(Visibility::UNKNOWN)]);
 }
 
 #[test]
@@ -158,7 +158,7 @@ fn random_soups_agree_with_brute_force() {
                 0 => Verdict::Background,
                 id => scene.brute_force(light, &ray, id as usize - 1),
             };
-            let found = mask.verdicts[pixel];
+            let found = mask.verdict(pixel);
             assert!(
                 found == expected || found == Verdict::Ambiguous,
                 "soup {soup}, {centre_px}"
@@ -186,8 +186,8 @@ fn a_closed_sphere_never_leaks() {
             ExactLight::Point(start + (2.0 + random.unit()) * (a + share * (b - a) - start));
         let segment = Segment::new(start, light, 1.3);
         match reference.occlusion(&own, &segment, &mut None) {
-            Verdict::Shadowed => {}
-            Verdict::Ambiguous if !(1e-6..1.0 - 1e-6).contains(&share) => undecided += 1,
+            Visibility::NONE => {}
+            Visibility::UNKNOWN if !(1e-6..1.0 - 1e-6).contains(&share) => undecided += 1,
             other => panic!("{other:?} through {share} of an edge"),
         }
     }
@@ -319,8 +319,8 @@ proptest! {
         let (ids, before) = scene.trace(light, &view);
         let more = scene.cast(&random.soup(10));
         let after = more.reference().trace(light, &view, &ids).unwrap();
-        for (before, after) in before.verdicts.iter().zip(&after.verdicts) {
-            prop_assert!(*before != Verdict::Shadowed || *after == Verdict::Shadowed);
+        for (before, after) in before.verdicts().zip(after.verdicts()) {
+            prop_assert!(before != Verdict::Shadowed || after == Verdict::Shadowed);
         }
     }
 }

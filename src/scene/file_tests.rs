@@ -157,7 +157,7 @@ fn an_impossible_light_path_is_named_with_its_place() {
         ),
         (
             edited(" }", ", w = 0 }"),
-            ":12:49: unknown field `w`, expected `time_s` or `position`",
+            ":12:46: unknown field `w`, expected `time_s` or `position`",
         ),
         (
             error_of("keys = []"),
