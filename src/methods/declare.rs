@@ -1,31 +1,33 @@
 //! How a method declares its parameters.
-//!
-//! [`parameters!`](crate::parameters!) makes the struct that a method works with. What is read from a configuration,
-//! refused, listed and written into results comes from the same lines:
-//!
-//! ```
-//! svbench::parameters! {
-//!     /// What the map is drawn with.
-//!     pub struct Map {
-//!         resolution: u32 = 2048, in 1..=65536, "side in texels";
-//!     }
-//! }
-//! use svbench::methods::Parameters;
-//! assert_eq!(Map::default().resolution, 2048);
-//! assert_eq!(Map::default().parameters()[0].domain.to_string(), "from 1 to 65536");
-//! ```
 
-/// Declares the struct of a method's parameters: of each its name, type, default, range and meaning, then groups of
-/// parameters that several methods share.
+/// Makes the struct that a method works with: of each parameter its name, type, default, range and meaning, then
+/// groups of parameters that several methods share. An enum needs no range; its words are serde's.
 ///
-/// ```text
-/// parameters! {
-///     struct Name {
-///         size: u32 = 8, in 1..=64, "what it is";
-///         shape: Shape = Shape::Round, "an enum needs no range; its words are serde's";
-///         ..common: CommonParameters;
+/// What is read from a configuration, refused, listed and written into results comes from the same lines:
+///
+/// ```
+/// use svbench::methods::Parameters;
+///
+/// svbench::parameters! {
+///     /// What all maps have.
+///     pub struct Common {
+///         bias: f64 = 2.0, in 0.0..=100.0, "in texels";
 ///     }
 /// }
+///
+/// svbench::parameters! {
+///     /// What this map is drawn with.
+///     pub struct Map {
+///         resolution: u32 = 2048, in 1..=65536, "side in texels";
+///         ..common: Common;
+///     }
+/// }
+///
+/// let map = Map::default();
+/// assert_eq!((map.resolution, map.common.bias), (2048, 2.0));
+/// let [resolution, bias] = &map.parameters()[..] else { panic!() };
+/// assert_eq!(resolution.domain.to_string(), "from 1 to 65536");
+/// assert_eq!((bias.name, bias.default_text().as_str()), ("bias", "2.0"));
 /// ```
 ///
 /// Gives `Debug`, `Clone`, `Default` and [`Parameters`](crate::methods::Parameters).

@@ -1,5 +1,5 @@
-//! Method parameters: each declared once, with its type, default, range and meaning.
-//! See [`parameters!`](crate::parameters!).
+//! Method parameters: each declared once, with its type, default, range and meaning, by
+//! [`parameters!`](crate::parameters!).
 
 use super::domain::Domain;
 use serde::Serialize;
