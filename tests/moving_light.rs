@@ -52,11 +52,18 @@ fn every_moment_is_drawn_and_judged_by_its_own_light() {
         let cache = ReferenceCache::open(None);
         let verifier = Verifier::new(&gpu, &scene, &stage, &cache).unwrap();
         let context = PrepareContext::new(&gpu, &scene, &stage);
-        for id in [
+        let methods = [
             "silhouette_gs",
             "triangle_gs,counting=auto",
             "silhouette_ts",
-        ] {
+            "shadow_map,resolution=1024",
+            "cube_shadow_map,resolution=1024",
+        ];
+        for id in methods {
+            if id.starts_with("cube") && w == 0.0 {
+                continue;
+            }
+            let is_map = id.contains("map");
             let method = Registry::builtin().parse(id).unwrap();
             let mut prepared = methods::prepare(method.as_ref(), &context).unwrap();
             let mut masks: Vec<Vec<u8>> = Vec::new();
