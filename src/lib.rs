@@ -5,14 +5,17 @@
 pub mod cli;
 pub mod config;
 
-pub mod bench;
 pub mod report;
+pub mod stress;
+
+pub mod bench;
+pub mod judge;
+pub mod record;
 
 pub mod frame;
 pub mod methods;
 pub mod metrics;
 pub mod reference;
-pub mod stress;
 
 pub mod geometry;
 pub mod scene;
@@ -20,7 +23,6 @@ pub mod scene;
 pub mod console;
 pub mod file_name;
 pub mod gpu;
-pub mod image;
 pub mod memory;
 pub mod output;
 pub mod table;

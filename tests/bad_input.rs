@@ -4,7 +4,7 @@
 use std::fs;
 use std::path::Path;
 use std::process::Command;
-use svbench::bench::record::{Status, Summary};
+use svbench::record::{Status, Summary};
 use tempfile::TempDir;
 
 /// Exit code for a wrong command line or configuration.

@@ -5,10 +5,10 @@ mod common;
 
 use common::device;
 use glam::{Vec3, Vec4};
+use svbench::judge::Judge;
 use svbench::methods::parameters::parse_method;
 use svbench::metrics::{Label, MaskError};
 use svbench::scene::{CameraKey, CameraPath, Part, Scene};
-use svbench::stress::Judge;
 
 const SIZE_PX: (u32, u32) = (320, 240);
 const MAPS: [&str; 3] = ["shadow_map", "shadow_map,resolution=512", "cube_shadow_map"];

@@ -9,10 +9,11 @@ use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use std::path::Path;
 use svbench::config::find_scene;
+use svbench::judge::Judge;
 use svbench::methods::{ShadowMethod, parameters::parse_method};
 use svbench::scene::Scene;
 use svbench::stress::metamorphic::Original;
-use svbench::stress::{Change, Changed, Judge, damage, metamorphic, random};
+use svbench::stress::{Change, Changed, damage, metamorphic, random};
 
 const SIZE_PX: (u32, u32) = (160, 120);
 const METHODS: [&str; 5] = [

@@ -11,11 +11,11 @@ use rand_chacha::ChaCha8Rng;
 use std::path::Path;
 use std::process::{Command, Output};
 use std::time::Instant;
-use svbench::bench::Observer;
 use svbench::gpu::Gpu;
+use svbench::judge::Judge;
+use svbench::judge::Observer;
 use svbench::methods::parameters::parse_method;
 use svbench::scene::{ModelSearch, Scene, SceneFile, export};
-use svbench::stress::Judge;
 use svbench::stress::minimise::minimise;
 
 const SIZE_PX: (u32, u32) = (160, 120);

@@ -4,9 +4,10 @@
 mod common;
 
 use common::device;
+use svbench::judge::{Attempt, Judge};
 use svbench::methods::ShadowMethod;
 use svbench::methods::parameters::parse_method;
-use svbench::stress::{Attempt, Finding, Judge, find_cause, random};
+use svbench::stress::{Finding, find_cause, random};
 
 const SIZE_PX: (u32, u32) = (160, 120);
 /// What promises to be exact.

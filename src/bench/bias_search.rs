@@ -1,11 +1,10 @@
 //! The smallest slope bias of a shadow map without acne, and the detached shadow that it costs.
 
-use super::record::{BiasRow, Cell};
-use super::verify::Truth;
-use super::{Observer, Verifier};
 use crate::config::RunPlan;
+use crate::judge::{Observer, Truth, Verifier};
 use crate::methods::{self, BiasSearch, PrepareContext, PreparedMethod};
 use crate::metrics::Label;
+use crate::record::{BiasRow, Cell};
 use crate::scene::CameraPath;
 
 /// The first bias that is tried after none, in texels.

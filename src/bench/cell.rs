@@ -1,13 +1,13 @@
 //! A method on a scene: one cell of a run's matrix, measured or on the way to it.
 
-use super::fault::in_one_line;
 use super::measure::Measured;
-use super::record::{
-    Cell, FrameError, MethodRecord, Sample, Status, Summary, SweepRecord, pairs_to_text,
-};
 use crate::config::MethodPlan;
 use crate::frame::{GBUFFER_STAGE, SHADE_STAGE};
 use crate::methods::{MethodError, PreparedMethod, ShadowMethod};
+use crate::record::in_one_line;
+use crate::record::{
+    Cell, FrameError, MethodRecord, Sample, Status, Summary, SweepRecord, pairs_to_text,
+};
 use crate::scene::Scene;
 
 /// One cell.

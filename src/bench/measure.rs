@@ -1,12 +1,12 @@
 //! Measuring the methods of one scene, interleaved: at each camera position every method draws one
 //! frame, in an order shuffled anew, so that a drift of the machine hits all alike.
 
-use super::Observer;
 use super::cell::CellRun;
-use super::fault::{RunDirError, in_one_line};
-use super::run_dir::RunDir;
 use crate::frame::{FrameResources, GBUFFER_STAGE, SHADE_STAGE};
 use crate::gpu::{FrameTimer, Gpu, StageTimes};
+use crate::judge::Observer;
+use crate::record::run_dir::RunDir;
+use crate::record::{RunDirError, in_one_line};
 use crate::scene::Scene;
 use rand::SeedableRng;
 use rand::seq::SliceRandom;

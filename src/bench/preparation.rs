@@ -1,13 +1,14 @@
 //! Making the cells of a scene ready on one device.
 
 use super::cell::{CellRun, State};
-use super::fault::{RunDirError, in_one_line};
-use super::record::Status;
-use super::run_dir::RunDir;
-use super::verify::Truth;
-use super::{RunRequest, Verifier, bias_search};
+use super::{RunRequest, bias_search};
 use crate::frame::FrameResources;
+use crate::judge::Truth;
+use crate::judge::Verifier;
 use crate::methods::{self, BiasSearch, MethodError, PrepareContext};
+use crate::record::Status;
+use crate::record::run_dir::RunDir;
+use crate::record::{RunDirError, in_one_line};
 use anyhow::Context;
 use std::rc::Rc;
 

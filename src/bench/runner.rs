@@ -1,15 +1,15 @@
 //! A whole run, scene after scene.
 
-use super::Observer;
-use super::fault::RunDirError;
-use super::provenance::program_git;
-use super::record::{
-    DeviceRecord, FORMAT, HostRecord, MethodRecord, RunInfo, RunStatus, Status, Summary,
-};
-use super::run_dir::RunDir;
 use super::scene_run::{SceneOutcome, run_scene};
 use crate::config::RunPlan;
 use crate::gpu::{Gpu, shader};
+use crate::judge::Observer;
+use crate::record::RunDirError;
+use crate::record::provenance::program_git;
+use crate::record::run_dir::RunDir;
+use crate::record::{
+    DeviceRecord, FORMAT, HostRecord, MethodRecord, RunInfo, RunStatus, Status, Summary,
+};
 use crate::reference::ReferenceCache;
 use std::path::Path;
 

@@ -1,18 +1,20 @@
 //! One scene of a run: prepare every method, verify, measure, sum up.
 
 use super::cell::{CellRun, name_cell};
-use super::fault::{Broken, RunDirError, in_one_line};
+use super::fault::Broken;
 use super::measure::{Schedule, measure};
 use super::preparation::Preparation;
-use super::record::{EdgeRecord, MethodRecord, SceneRecord, Status, Summary};
-use super::run_dir::RunDir;
 use super::verify_cells::verify_cells;
-use super::{RunRequest, Verifier, bias_search};
+use super::{RunRequest, bias_search};
 use crate::config::{MethodPlan, ScenePlan};
 use crate::frame::{FrameResources, SceneBuffers};
 use crate::gpu::Gpu;
+use crate::judge::Verifier;
 use crate::methods::PrepareContext;
 use crate::metrics;
+use crate::record::run_dir::RunDir;
+use crate::record::{EdgeRecord, MethodRecord, SceneRecord, Status, Summary};
+use crate::record::{RunDirError, in_one_line};
 use crate::scene::camera::FrameError;
 use crate::scene::file::MeshSource;
 use crate::scene::{Scene, SceneError};

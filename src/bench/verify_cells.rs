@@ -1,14 +1,15 @@
 //! Verifying the cells of a scene: every method against the truth, in some frames of the flight.
 
+use super::RunRequest;
 use super::cell::CellRun;
-use super::fault::{RunDirError, in_one_line};
-use super::record::{Cell, FrameError, ImageKind, RegionRow, pairs_to_text};
-use super::run_dir::RunDir;
-use super::verify::{Judgement, Truth, flicker};
-use super::{RunRequest, Verifier};
 use crate::gpu::Gpu;
-use crate::image::Image;
+use crate::judge::Verifier;
+use crate::judge::{Judgement, Truth, flicker};
 use crate::metrics::Flicker;
+use crate::record::Image;
+use crate::record::run_dir::RunDir;
+use crate::record::{Cell, FrameError, ImageKind, RegionRow, pairs_to_text};
+use crate::record::{RunDirError, in_one_line};
 use crate::reference::Motion;
 use crate::scene::{CameraPath, Scene};
 use anyhow::Context;

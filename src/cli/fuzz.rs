@@ -2,15 +2,16 @@
 
 use super::progress::Progress;
 use super::{DeviceArgs, check_size, values};
-use crate::bench::Observer;
 use crate::console;
 use crate::file_name::method_file_name;
-use crate::image::Image;
+use crate::judge::Judge;
+use crate::judge::Observer;
 use crate::methods::parameters::parse_method;
 use crate::methods::{REGISTRY, ShadowMethod};
 use crate::output;
+use crate::record::Image;
 use crate::scene::export;
-use crate::stress::{Failure, Finding, FuzzPlan, Judge, Tally, fuzz};
+use crate::stress::{Failure, Finding, FuzzPlan, Tally, fuzz};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::time::Duration;

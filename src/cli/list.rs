@@ -4,9 +4,9 @@ use crate::config::{builtin_scenes, find_scene};
 use crate::console;
 use crate::gpu::{DeviceSummary, Gpu, GpuError, GpuOptions, list_devices};
 use crate::methods::{Limit, MethodInfo, REGISTRY};
+use crate::record::stress::CauseRecord;
 use crate::scene::file::MeshSource;
 use crate::stress::corpus;
-use crate::stress::record::CauseRecord;
 use serde::Serialize;
 use std::path::Path;
 

@@ -2,14 +2,15 @@
 
 use super::progress::Progress;
 use super::{DeviceArgs, check_size, values};
-use crate::bench::Observer;
 use crate::config::{ConfigError, find_scene};
 use crate::console;
 use crate::gpu::Requirement;
+use crate::judge::Observer;
+use crate::judge::{Judge, NoPicture};
 use crate::methods::{REGISTRY, ShadowMethod, parameters};
 use crate::scene::{Scene, SceneError};
 use crate::stress::metamorphic::{self, Difference};
-use crate::stress::{Change, Judge, NoPicture, damage, random};
+use crate::stress::{Change, damage, random};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use std::collections::BTreeSet;

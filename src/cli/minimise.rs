@@ -3,13 +3,13 @@
 use super::progress::Progress;
 use super::shot::{ShotArgs, kinds_of_error, wrong_pixels};
 use super::{DeviceArgs, check_size, earlier, outputs, values};
-use crate::bench::Observer;
 use crate::console;
 use crate::file_name::file_name;
+use crate::judge::Observer;
+use crate::judge::{Attempt, Drawn, Judge, NoPicture};
 use crate::methods::{ShadowMethod, parameters};
 use crate::scene::{CameraKey, CameraPath, ModelSearch, Scene, SceneFile, View, export};
 use crate::stress::minimise::{MinimiseError, Minimised, minimise};
-use crate::stress::{Attempt, Drawn, Judge, NoPicture};
 use anyhow::Context;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};

@@ -1,8 +1,8 @@
 //! Progress: a bar with the remaining time on a terminal that can draw one, plain lines otherwise.
 
 use super::interrupt;
-use crate::bench::Observer;
 use crate::console;
+use crate::judge::Observer;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::cell::Cell;
 use std::sync::Arc;

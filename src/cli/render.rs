@@ -2,13 +2,13 @@
 
 use super::shot::{ShotArgs, kinds_of_error, wrong_pixels};
 use super::{DeviceArgs, check_size, outputs, reference_cache, values};
-use crate::bench::Verifier;
 use crate::console;
 use crate::frame::FrameResources;
 use crate::gpu::{FrameTimer, StageTimes};
-use crate::image::Image;
+use crate::judge::Verifier;
 use crate::methods::{self, MethodError, PrepareContext, parameters};
 use crate::metrics::MaskError;
+use crate::record::Image;
 use anyhow::Context;
 use serde::Serialize;
 use std::path::PathBuf;

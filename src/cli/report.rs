@@ -1,9 +1,9 @@
 //! `svbench report DIR...`
 
-use crate::bench::record::RUN_FILE;
 use crate::config::ConfigError;
 use crate::console;
-use crate::stress::record::STRESS_FILE;
+use crate::record::RUN_FILE;
+use crate::record::stress::STRESS_FILE;
 use std::path::{Path, PathBuf};
 
 /// Arguments of `svbench report`.

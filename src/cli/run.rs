@@ -2,12 +2,13 @@
 
 use super::progress::Progress;
 use super::{DeviceArgs, check_size, error_map_legend, reference_cache, values};
-use crate::bench::record::RunStatus;
-use crate::bench::{self, RunRequest, provenance};
+use crate::bench::{self, RunRequest};
 use crate::config::{Overrides, RunPlan};
 use crate::console;
 use crate::gpu::Gpu;
 use crate::output;
+use crate::record::RunStatus;
+use crate::record::provenance;
 use anyhow::Context;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};

@@ -3,15 +3,18 @@
 use super::progress::Progress;
 use super::run::default_out;
 use super::{DeviceArgs, check_size, error_map_legend, values};
-use crate::bench::record::{DeviceRecord, HostRecord, file_records};
-use crate::bench::{Observer, provenance};
-use crate::config::{ConfigError, StressPlan, cause_called};
+use crate::config::ConfigError;
 use crate::console;
 use crate::gpu::{Gpu, shader};
+use crate::judge::Judge;
+use crate::judge::Observer;
 use crate::methods::parameters::parse_method;
+use crate::record::provenance;
+use crate::record::stress::{FAILURES_DIR, FORMAT, Outcome, ROWS_FILE, StressInfo, StressMethod};
+use crate::record::{DeviceRecord, HostRecord, file_records};
 use crate::report::{self, stability::StressRun};
-use crate::stress::record::{FAILURES_DIR, FORMAT, Outcome, ROWS_FILE, StressInfo, StressMethod};
-use crate::stress::{Judge, StressRequest, sweep};
+use crate::stress::{StressPlan, cause_called};
+use crate::stress::{StressRequest, sweep};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -51,7 +54,7 @@ pub(super) fn execute(args: &StressArgs) -> anyhow::Result<()> {
         Some(out) => out.clone(),
         None => default_out(Path::new(&plan.path), &gpu)?,
     };
-    crate::bench::new_directory(&out)?;
+    crate::record::new_directory(&out)?;
     let progress = Progress::counting("values")?;
     let started = Instant::now();
     let mut info = info(&plan, &gpu);

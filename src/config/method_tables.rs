@@ -11,7 +11,7 @@ use toml::Spanned;
 use toml::de::{DeArray, DeTable, DeValue};
 
 /// Reads `[[methods]]`: at least one, and none twice.
-pub(super) fn read_methods(
+pub(crate) fn read_methods(
     value: Option<Spanned<DeValue<'_>>>,
 ) -> Result<Vec<MethodPlan>, Misplaced> {
     let example = "id = \"silhouette_ts\"";

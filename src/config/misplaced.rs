@@ -4,13 +4,13 @@ use crate::toml_error;
 use std::ops::Range;
 
 /// A complaint about a part of the text.
-pub(super) struct Misplaced {
-    pub(super) span: Option<Range<usize>>,
-    pub(super) message: String,
+pub(crate) struct Misplaced {
+    pub(crate) span: Option<Range<usize>>,
+    pub(crate) message: String,
 }
 
 impl Misplaced {
-    pub(super) fn new(span: Range<usize>, message: impl Into<String>) -> Self {
+    pub(crate) fn new(span: Range<usize>, message: impl Into<String>) -> Self {
         Self {
             span: Some(span),
             message: message.into(),
@@ -28,7 +28,7 @@ impl From<toml::de::Error> for Misplaced {
 }
 
 /// A list of tables that must not be empty.
-pub(super) fn missing(key: &str, example: &str) -> Misplaced {
+pub(crate) fn missing(key: &str, example: &str) -> Misplaced {
     let message = format!("no `[[{key}]]`: name at least one, for example `{example}`");
     Misplaced {
         span: None,
@@ -37,7 +37,7 @@ pub(super) fn missing(key: &str, example: &str) -> Misplaced {
 }
 
 /// Results tell cells apart by scene, method and variant.
-pub(super) fn twice(span: Range<usize>, what: &str, name: &str) -> Misplaced {
+pub(crate) fn twice(span: Range<usize>, what: &str, name: &str) -> Misplaced {
     let message = format!("the {what} `{name}` is there already; remove one of the two");
     Misplaced::new(span, message)
 }

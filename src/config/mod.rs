@@ -1,16 +1,14 @@
 //! From the TOML that a user writes to a validated plan of what to measure.
 
-mod method_tables;
-mod misplaced;
+pub(crate) mod method_tables;
+pub(crate) mod misplaced;
 mod overrides;
-mod run_file;
+pub(crate) mod run_file;
 mod scene_lookup;
-mod stress_file;
 mod sweep;
 
 pub use overrides::Overrides;
 pub use scene_lookup::{builtin_scenes, find_scene};
-pub use stress_file::{StressPlan, cause_called};
 
 use crate::methods::ShadowMethod;
 use crate::scene::{CameraPath, ModelSearch, SceneFile};

@@ -160,7 +160,7 @@ impl RunPlan {
 }
 
 /// The text of a configuration file.
-pub(super) fn read_text(path: &Path) -> Result<String, ConfigError> {
+pub(crate) fn read_text(path: &Path) -> Result<String, ConfigError> {
     std::fs::read_to_string(path).map_err(|error| {
         let hint = match error.kind() {
             _ if path.is_dir() => "; name a TOML file in it",
@@ -296,7 +296,7 @@ fn read_scene(wire: &SceneWire, base: &Path) -> Result<ScenePlan, Misplaced> {
     Ok(ScenePlan { file, search })
 }
 
-pub(super) fn check_size((width, height): (u32, u32)) -> Result<(), String> {
+pub(crate) fn check_size((width, height): (u32, u32)) -> Result<(), String> {
     let side = 1..=MAX_PIXELS;
     if side.contains(&width) && side.contains(&height) {
         return Ok(());

@@ -1,7 +1,7 @@
 //! Whom a run compares, and which of them are points of one curve.
 
 use super::load::{Run, unique};
-use crate::bench::record::SweepRecord;
+use crate::record::SweepRecord;
 
 /// A method with what tells its rows apart: what a line, a bar colour or a table row stands for.
 #[derive(Debug, Clone, PartialEq, Eq)]

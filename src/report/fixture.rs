@@ -6,7 +6,7 @@ use std::path::Path;
 use tempfile::TempDir;
 
 use super::{LegendEntry, Run};
-use crate::bench::record::{
+use crate::record::{
     BIAS_FILE, BiasRow, Cell, DeviceRecord, ERRORS_FILE, FORMAT, FrameError, HostRecord,
     MethodRecord, REGIONS_FILE, RUN_FILE, RegionRow, RunInfo, RunStatus, SAMPLES_FILE,
     SUMMARY_FILE, Sample, SceneRecord, Status, Summary, SweepRecord,

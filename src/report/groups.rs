@@ -5,7 +5,7 @@ use std::path::Path;
 use anyhow::{Result, bail};
 
 use super::load::Run;
-use crate::bench::record::RunInfo;
+use crate::record::RunInfo;
 
 /// Runs of one device with equal settings: one group of columns in a table.
 #[derive(Debug)]

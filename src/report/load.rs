@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 use anyhow::Result;
 
 use super::curve::Contender;
-use super::read::{read_info, read_optional_rows, read_rows};
-use crate::bench::record::{
+use crate::record::read::{read_info, read_optional_rows, read_rows};
+use crate::record::{
     BIAS_FILE, BiasRow, Cell, ERRORS_FILE, FrameError, IMAGES_DIR, ImageKind, MethodRecord,
     REGIONS_FILE, RUN_FILE, RegionRow, RunInfo, RunStatus, SAMPLES_FILE, SUMMARY_FILE, Sample,
     Status, Summary, SweepRecord, check_files, earlier_image_name, image_name,

@@ -10,8 +10,8 @@ use super::groups::{self, Group};
 use super::load::Run;
 use super::paper::{self, Paper};
 use super::{HTML_FILE, html, plots, write_plots};
-use crate::bench::record::RunStatus;
 use crate::output::{self, write_atomically};
+use crate::record::RunStatus;
 
 /// Name of the file that says which runs a merged report was made of, and by which such a report is
 /// known.

@@ -1,6 +1,6 @@
 //! What people read of a run: a Markdown table, plots, and one self-contained HTML page.
 //!
-//! A report is made from the files of a run directory alone (see [`crate::bench::record`]), so it
+//! A report is made from the files of a run directory alone (see [`crate::record`]), so it
 //! can be made again at any time, by another version of the program, on another machine, and also
 //! for a run that was interrupted.
 //!
@@ -30,7 +30,6 @@ pub mod stability;
 pub mod table;
 
 mod markdown;
-mod read;
 
 pub use load::Run;
 pub use merged::write_merged;

@@ -1,6 +1,6 @@
 //! The results as a Markdown table.
 
-use crate::bench::record::{Status, Summary};
+use crate::record::{Status, Summary};
 
 use super::format::{count, fps, ms, px_per_frame};
 use super::load::Run;

@@ -6,7 +6,7 @@ use tempfile::TempDir;
 
 use super::fixture::{HOSTILE, LEGEND, cell, info, made_up_run, samples, swept_run, write_run};
 use super::*;
-use crate::bench::record::{
+use crate::record::{
     FrameError, IMAGES_DIR, ImageKind, RUN_FILE, RunStatus, SAMPLES_FILE, SUMMARY_FILE, Status,
     Summary, image_name,
 };

@@ -4,6 +4,7 @@
 //! lists the values to try. Those in `scenes/stress` come with the program: the corpus.
 
 use super::families::Family;
+use crate::record::stress::CauseRecord;
 use crate::scene::Scene;
 use crate::toml_error;
 use include_dir::{Dir, include_dir};
@@ -125,3 +126,16 @@ pub fn find_cause(id: &str) -> Option<Cause> {
 #[cfg(test)]
 #[path = "cause_tests.rs"]
 mod tests;
+
+impl Cause {
+    /// What results say of it.
+    pub fn record(&self) -> CauseRecord {
+        CauseRecord {
+            id: self.id.clone(),
+            title: self.title.clone(),
+            number: self.number.clone(),
+            why: self.why.split_whitespace().collect::<Vec<_>>().join(" "),
+            values: self.values.clone(),
+        }
+    }
+}

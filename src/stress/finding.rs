@@ -1,6 +1,6 @@
 //! Whether a picture is a failure, and one that its method declares.
 
-use super::trial::Drawn;
+use crate::judge::Drawn;
 use crate::methods::{Bound, Limit, ShadowMethod};
 use crate::metrics::Region;
 

@@ -2,8 +2,8 @@
 
 use super::finding::Finding;
 use super::random;
-use super::trial::{Attempt, Judge, NoPicture, Trial};
-use crate::bench::Observer;
+use crate::judge::Observer;
+use crate::judge::{Attempt, Judge, NoPicture, Trial};
 use crate::methods::ShadowMethod;
 use crate::metrics::MaskError;
 use crate::scene::Scene;

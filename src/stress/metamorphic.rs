@@ -4,10 +4,11 @@
 //! something. Where the two pictures show different triangles (coincident ones, of which the order of
 //! drawing decides), or where the truth itself cannot decide, a mask may go either way.
 
-use super::{Change, Changed, Judge, Keeps, NoPicture};
-use crate::bench::Verifier;
-use crate::bench::verify::PixelTruth;
+use super::{Change, Changed, Keeps};
 use crate::frame::{DepthSetup, FrameResources};
+use crate::judge::PixelTruth;
+use crate::judge::Verifier;
+use crate::judge::{Judge, NoPicture};
 use crate::methods::ShadowMethod;
 use crate::metrics::{Label, MaskComparison};
 use crate::reference::{ReferenceCache, Verdict};

@@ -5,7 +5,7 @@
 //! means is a question to the caller, so that all this needs no device.
 
 use super::simpler::{effort, simpler};
-use crate::bench::Observer;
+use crate::judge::Observer;
 use crate::scene::{CameraPath, Scene};
 use glam::Vec3;
 use std::collections::HashSet;

@@ -2,14 +2,14 @@
 
 use super::cause::Cause;
 use super::finding::Finding;
-use super::record::{FAILURES_DIR, GAP_PX, Outcome, ROWS_FILE, StressRow};
-use super::trial::{Attempt, Drawn, Judge, NoPicture};
-use crate::bench::Observer;
-use crate::bench::record::pairs_to_text;
 use crate::file_name::{file_name, method_file_name};
-use crate::image::Image;
+use crate::judge::Observer;
+use crate::judge::{Attempt, Drawn, Judge, NoPicture};
 use crate::methods::ShadowMethod;
 use crate::output;
+use crate::record::Image;
+use crate::record::pairs_to_text;
+use crate::record::stress::{FAILURES_DIR, GAP_PX, Outcome, ROWS_FILE, StressRow};
 use crate::reference::ReferenceMask;
 use crate::scene::{Scene, export};
 use crate::table::Table;

@@ -2,7 +2,7 @@
 
 use maud::{Markup, html};
 
-use crate::bench::record::{RunStatus, Status, Summary};
+use crate::record::{RunStatus, Status, Summary};
 use crate::report::format::px_per_frame;
 use crate::report::load::Run;
 

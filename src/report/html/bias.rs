@@ -2,7 +2,7 @@
 
 use maud::{Markup, html};
 
-use crate::bench::record::BiasRow;
+use crate::record::BiasRow;
 use crate::report::load::Run;
 
 /// The section; nothing where no bias was searched for.

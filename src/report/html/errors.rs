@@ -4,7 +4,7 @@ use maud::{Markup, html};
 
 use super::or_dash;
 use super::results::breakable;
-use crate::bench::record::{RegionRow, Summary, pairs_from_text};
+use crate::record::{RegionRow, Summary, pairs_from_text};
 use crate::report::format::{count, px_per_frame};
 use crate::report::load::Run;
 

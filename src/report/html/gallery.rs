@@ -6,7 +6,7 @@ use anyhow::Result;
 use maud::{Markup, html};
 
 use super::pictures::{Picture, picture};
-use crate::bench::record::{IMAGES_DIR, ImageKind, Summary};
+use crate::record::{IMAGES_DIR, ImageKind, Summary};
 use crate::report::LegendEntry;
 use crate::report::curve::{Contender, Curves};
 use crate::report::load::Run;

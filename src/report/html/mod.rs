@@ -12,7 +12,7 @@ use super::load::Run;
 use super::paper::Paper;
 use super::pareto::Cloud;
 use super::plots::Plot;
-use crate::bench::record::DeviceRecord;
+use crate::record::DeviceRecord;
 
 mod banners;
 mod bias;

@@ -9,7 +9,7 @@ use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD as BASE64;
 use maud::{Markup, html};
 
-use crate::bench::record::IMAGES_DIR;
+use crate::record::IMAGES_DIR;
 use crate::report::load::Run;
 
 /// A picture that there is.

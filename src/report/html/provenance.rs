@@ -2,7 +2,7 @@
 
 use maud::{Markup, html};
 
-use crate::bench::record::{DeviceRecord, HostRecord, SceneRecord};
+use crate::record::{DeviceRecord, HostRecord, SceneRecord};
 use crate::report::format::count;
 use crate::report::load::Run;
 

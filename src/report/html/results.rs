@@ -3,8 +3,8 @@
 use maud::{Markup, PreEscaped, html};
 
 use super::or_dash;
-use crate::bench::record::{Summary, pairs_from_text};
-use crate::bench::statistics::median;
+use crate::record::statistics::median;
+use crate::record::{Summary, pairs_from_text};
 use crate::report::format::{count, fps, ms, px_per_frame};
 use crate::report::load::Run;
 use crate::report::table::status;

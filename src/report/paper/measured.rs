@@ -4,7 +4,7 @@ use std::cmp::Reverse;
 
 use super::sheet::{Cell, Column, Mask, Sheet, Source};
 use super::spec::{Point, Series, Spec};
-use crate::bench::record::{Status, Summary};
+use crate::record::{Status, Summary};
 use crate::report::groups::Group;
 use crate::report::load::Run;
 

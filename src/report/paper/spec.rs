@@ -6,7 +6,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::bench::record::Summary;
+use crate::record::Summary;
 use crate::report::format::count;
 
 /// A table of the paper, and the figure that draws it.

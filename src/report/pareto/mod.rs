@@ -8,8 +8,8 @@
 
 use super::curve::{Contender, Curve};
 use super::load::Run;
-use crate::bench::record::{Status, Summary, SweepRecord};
-use crate::bench::statistics::{p05, p95};
+use crate::record::statistics::{p05, p95};
+use crate::record::{Status, Summary, SweepRecord};
 
 mod overall;
 mod table;

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::path::Path;
 
 use super::*;
-use crate::bench::record::SUMMARY_FILE;
+use crate::record::SUMMARY_FILE;
 use crate::report::fixture::swept_run;
 
 fn named(method: &str, shadow_ms: f64, wrong_px: f64) -> Point {

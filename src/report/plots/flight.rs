@@ -6,9 +6,9 @@ use super::axis::Axis;
 use super::chosen::Chosen;
 use super::lines::{Line, LineChart};
 use super::{Chart, Figure};
-use crate::bench::record::Summary;
-use crate::bench::statistics::median;
 use crate::file_name::file_name;
+use crate::record::Summary;
+use crate::record::statistics::median;
 use crate::report::load::Run;
 
 /// A figure per scene in which at least two frames were measured.

@@ -15,7 +15,7 @@ use plotters::style::register_font;
 use super::load::Run;
 use super::paper::Paper;
 use super::pareto::Cloud;
-use crate::image::Image;
+use crate::record::Image;
 
 mod axis;
 mod bars;

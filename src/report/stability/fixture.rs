@@ -1,11 +1,11 @@
 //! A small stress run, made up.
 
-use crate::bench::record::{DeviceRecord, HostRecord};
-use crate::image::Image;
-use crate::stress::record::{
+use crate::record::Image;
+use crate::record::stress::{
     CauseRecord, FAILURES_DIR, FORMAT, Outcome, ROWS_FILE, STRESS_FILE, StressInfo, StressMethod,
     StressRow,
 };
+use crate::record::{DeviceRecord, HostRecord};
 use std::fs;
 use std::path::Path;
 

@@ -1,8 +1,8 @@
 //! A stress run, read back from its directory.
 
-use crate::bench::record::check_files;
-use crate::report::read::{Head, read_head, read_lines};
-use crate::stress::record::{FORMAT, ROWS_FILE, STRESS_FILE, StressInfo, StressRow};
+use crate::record::check_files;
+use crate::record::read::{Head, read_head, read_lines};
+use crate::record::stress::{FORMAT, ROWS_FILE, STRESS_FILE, StressInfo, StressRow};
 use anyhow::{Result, bail};
 use std::path::{Path, PathBuf};
 

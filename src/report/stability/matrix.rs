@@ -1,7 +1,7 @@
 //! Causes against methods: where each method begins to fail.
 
 use super::StressRun;
-use crate::stress::record::{CauseRecord, DeclaredCause, Outcome, StressMethod, StressRow};
+use crate::record::stress::{CauseRecord, DeclaredCause, Outcome, StressMethod, StressRow};
 
 /// A row a cause, a column a method.
 #[derive(Debug, Clone)]

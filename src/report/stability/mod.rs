@@ -1,7 +1,7 @@
 //! What people read of a stress run: a matrix of causes and methods for the terminal and as Markdown, and
 //! one self-contained HTML page with a picture of every first failure.
 //!
-//! It is made from the files of the run alone, see [`crate::stress::record`].
+//! It is made from the files of the run alone, see [`crate::record::stress`].
 
 use super::{HTML_FILE, LegendEntry, html};
 use crate::output::write_atomically;

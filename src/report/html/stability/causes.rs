@@ -2,11 +2,11 @@
 
 use super::cause_id;
 use super::failures::{Album, figures};
+use crate::record::stress::{Outcome, StressMethod, StressRow};
 use crate::report::LegendEntry;
 use crate::report::format::{count, short};
 use crate::report::html::gallery::legend_list;
 use crate::report::stability::{Cell, Line, Matrix, StressRun};
-use crate::stress::record::{Outcome, StressMethod, StressRow};
 use anyhow::Result;
 use maud::{Markup, html};
 

@@ -1,13 +1,13 @@
 //! The first failure of a method by a cause: its picture, and how to see it again.
 
 use super::failure_id;
-use crate::bench::record::pairs_from_text;
 use crate::file_name::file_name;
 use crate::methods::full_name;
+use crate::record::pairs_from_text;
+use crate::record::stress::{FAILURES_DIR, GAP_PX, Outcome, StressRow};
 use crate::report::format::{count, short};
 use crate::report::html::pictures::data_uri;
 use crate::report::stability::{Failure, Line, Matrix, StressRun};
-use crate::stress::record::{FAILURES_DIR, GAP_PX, Outcome, StressRow};
 use anyhow::Result;
 use maud::{Markup, html};
 use std::collections::HashSet;

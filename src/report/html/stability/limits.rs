@@ -1,8 +1,8 @@
 //! The limits that were hit, and why methods were unavailable.
 
+use crate::record::stress::{Outcome, StressRow};
 use crate::report::format::{count, short};
 use crate::report::stability::{StressRun, Unseen};
-use crate::stress::record::{Outcome, StressRow};
 use maud::{Markup, html};
 
 /// Pictures that share a reason.

@@ -1,9 +1,9 @@
 //! The matrix: a row a cause, a column a method.
 
 use super::{breakable, cause_id, failure_id, first_value};
+use crate::record::stress::StressMethod;
 use crate::report::format::{count, short};
 use crate::report::stability::{Cell, Failure, Line, Matrix};
-use crate::stress::record::StressMethod;
 use maud::{Markup, html};
 
 /// The section of the matrix.

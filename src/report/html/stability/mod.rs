@@ -1,10 +1,10 @@
 //! The page of a stress run: where each method fails, and what that looks like.
 
 use super::{Fact, date, device_facts, facts_list, program, provenance, shell};
+use crate::record::stress::StressMethod;
 use crate::report::LegendEntry;
 use crate::report::format::{count, short};
 use crate::report::stability::{Failure, Line, Matrix, StressRun};
-use crate::stress::record::StressMethod;
 use anyhow::Result;
 use maud::{Markup, PreEscaped, html};
 

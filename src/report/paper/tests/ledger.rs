@@ -1,7 +1,7 @@
 //! Claims and verdicts.
 
 use super::{compare, rows_like};
-use crate::bench::record::Summary;
+use crate::record::Summary;
 use crate::report::fixture::paper_run;
 use crate::report::paper::check::{Finding, Verdict};
 use crate::report::paper::claims::{Check, claims};

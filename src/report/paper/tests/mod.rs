@@ -2,7 +2,7 @@
 
 use super::spec::{Place, Point, Series};
 use super::{Paper, published};
-use crate::bench::record::{Cell, Summary};
+use crate::record::{Cell, Summary};
 use crate::report::fixture::{info, paper_row};
 use crate::report::groups::group;
 use crate::report::load::Run;

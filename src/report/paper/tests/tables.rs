@@ -1,7 +1,7 @@
 //! The tables' cells.
 
 use super::{compare, place, rows_like};
-use crate::bench::record::{Cell, Summary};
+use crate::record::{Cell, Summary};
 use crate::report::fixture::{paper_row, paper_run};
 use crate::report::paper::published;
 use crate::report::paper::sheet::{Mask, Sheet};

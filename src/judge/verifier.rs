@@ -297,7 +297,7 @@ fn wrong_px(mask: &[u8], truth: &ReferenceMask) -> usize {
 ///
 /// # Errors
 /// When a mask and its truth differ in size.
-pub(super) fn flicker(
+pub(crate) fn flicker(
     motion: &Motion,
     (mask, truth): (&[u8], &Truth),
     (next_mask, next): (&[u8], &Truth),

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::{FrameError, Status, sum_of_counts};
-use crate::bench::statistics::{mean, median, p95};
+use crate::record::statistics::{mean, median, p95};
 
 /// One measured frame: a row of `samples.csv`.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]

@@ -1,11 +1,11 @@
 //! One picture of one scene, drawn by several methods and judged.
 
-use crate::bench::verify::{Judgement, Truth};
-use crate::bench::{Verifier, in_one_line};
+use super::verifier::{Judgement, Truth, Verifier};
 use crate::frame::{DepthSetup, FrameResources};
 use crate::geometry::Topology;
 use crate::gpu::{Gpu, GpuError};
 use crate::methods::{self, MethodError, PrepareContext, PreparedMethod, ShadowMethod};
+use crate::record::in_one_line;
 use crate::reference::{ReferenceCache, ReferenceMask};
 use crate::scene::{Scene, View};
 use anyhow::Context;

@@ -15,14 +15,23 @@
 //! | `images/` | pictures, named by [`image_name`] |
 
 mod errors;
+mod fault;
 mod files;
+mod image;
 mod images;
 mod info;
 mod pairs;
+pub mod provenance;
+pub(crate) mod read;
 mod rows;
+pub(crate) mod run_dir;
+pub mod statistics;
+pub mod stress;
 
 pub use errors::{BiasRow, FrameError, RegionRow};
+pub(crate) use fault::{RunDirError, in_one_line};
 pub use files::{FileRecord, check_files, file_records};
+pub use image::Image;
 pub use images::{ImageKind, earlier_image_name, image_name};
 pub use info::{
     DeviceRecord, EdgeRecord, HostRecord, MethodRecord, RunInfo, RunStatus, SceneRecord, Status,
@@ -30,6 +39,7 @@ pub use info::{
 };
 pub use pairs::{pairs_from_text, pairs_to_text, sum_of_counts};
 pub use rows::{Cell, Sample, Summary};
+pub use run_dir::new_directory;
 
 /// Version of the run directory's layout; raised when an older reader would misread a newer run.
 pub const FORMAT: u32 = 1;

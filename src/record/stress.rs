@@ -1,10 +1,9 @@
 //! The files of a stress run: `stability.json` says what was tried and where, `stability.csv` has a row for
 //! every picture, and the folder `failures` a picture of each method's first failure.
 
-use super::cause::Cause;
-use crate::bench::record::{DeviceRecord, FileRecord, HostRecord};
 use crate::methods::{ShadowMethod, full_name};
 use crate::output;
+use crate::record::{DeviceRecord, FileRecord, HostRecord};
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 
@@ -91,19 +90,6 @@ pub struct CauseRecord {
     pub why: String,
     /// The values tried.
     pub values: Vec<f64>,
-}
-
-impl Cause {
-    /// What results say of it.
-    pub fn record(&self) -> CauseRecord {
-        CauseRecord {
-            id: self.id.clone(),
-            title: self.title.clone(),
-            number: self.number.clone(),
-            why: self.why.split_whitespace().collect::<Vec<_>>().join(" "),
-            values: self.values.clone(),
-        }
-    }
 }
 
 /// A method in one variant.

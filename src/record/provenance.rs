@@ -1,6 +1,6 @@
 //! What program, device and machine results come from.
 
-use super::record::{DeviceRecord, HostRecord};
+use super::{DeviceRecord, HostRecord};
 use crate::gpu::Gpu;
 
 /// Git revision of the program; empty when not built from a checkout.

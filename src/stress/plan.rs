@@ -1,11 +1,11 @@
 //! The TOML of a stress run: which methods are tried on which causes of failure.
 
-use super::method_tables::read_methods;
-use super::misplaced::{Misplaced, twice};
-use super::run_file::{check_size, read_text};
-use super::{ConfigError, MethodPlan};
+use super::{Cause, corpus, find_cause};
+use crate::config::method_tables::read_methods;
+use crate::config::misplaced::{Misplaced, twice};
+use crate::config::run_file::{check_size, read_text};
+use crate::config::{ConfigError, MethodPlan};
 use crate::methods::ShadowMethod;
-use crate::stress::{Cause, corpus, find_cause};
 use crate::toml_array::Exactly;
 use crate::toml_error;
 use serde::Deserialize;

@@ -3,11 +3,10 @@
 //! `samples.csv`, `errors.csv`, `regions.csv` and `bias.csv` grow row by row, each flushed as it comes, so that a run that dies keeps what it
 //! has. Everything else is written to a temporary file and renamed: a file that is there is whole.
 
-use super::fault::RunDirError;
-use super::record::{
+use super::{
     BIAS_FILE, BiasRow, ERRORS_FILE, FileRecord, FrameError, IMAGES_DIR, ImageKind, REGIONS_FILE,
-    RUN_FILE, RegionRow, RunInfo, RunStatus, SAMPLES_FILE, SUMMARY_FILE, Sample, Summary,
-    file_records, image_name,
+    RUN_FILE, RegionRow, RunDirError, RunInfo, RunStatus, SAMPLES_FILE, SUMMARY_FILE, Sample,
+    Summary, file_records, image_name,
 };
 use crate::output;
 use crate::table::{self, Table};
@@ -58,7 +57,7 @@ pub fn new_directory(path: &Path) -> anyhow::Result<()> {
 }
 
 /// An open run directory.
-pub(super) struct RunDir {
+pub(crate) struct RunDir {
     path: PathBuf,
     samples: Table,
     errors: LateTable,
@@ -70,7 +69,7 @@ pub(super) struct RunDir {
 
 impl RunDir {
     /// Creates the directory; it must not hold anything yet.
-    pub(super) fn create(path: &Path) -> anyhow::Result<Self> {
+    pub(crate) fn create(path: &Path) -> anyhow::Result<Self> {
         new_directory(path)?;
         let images = path.join(IMAGES_DIR);
         std::fs::create_dir(&images)
@@ -86,7 +85,7 @@ impl RunDir {
     }
 
     /// Writes `run.json`, over the one before.
-    pub(super) fn write_info(&mut self, info: &RunInfo) -> Result<(), RunDirError> {
+    pub(crate) fn write_info(&mut self, info: &RunInfo) -> Result<(), RunDirError> {
         let path = self.path.join(RUN_FILE);
         let write = || {
             let text = serde_json::to_vec_pretty(info)?;
@@ -99,7 +98,7 @@ impl RunDir {
 
     /// Makes `run.json` say that the run failed, if it does not yet: where there is no room for another file, in the
     /// one that there is.
-    pub(super) fn mark_failed(&mut self) {
+    pub(crate) fn mark_failed(&mut self) {
         let Ok(text) = std::str::from_utf8(&self.info) else {
             return;
         };
@@ -121,7 +120,7 @@ impl RunDir {
     }
 
     /// The tables and pictures that there are.
-    pub(super) fn file_records(&self) -> Result<Vec<FileRecord>, RunDirError> {
+    pub(crate) fn file_records(&self) -> Result<Vec<FileRecord>, RunDirError> {
         const TABLES: [&str; 5] = [
             SAMPLES_FILE,
             SUMMARY_FILE,
@@ -133,12 +132,12 @@ impl RunDir {
     }
 
     /// Appends a row to `samples.csv`.
-    pub(super) fn append_sample(&mut self, sample: &Sample) -> Result<(), RunDirError> {
+    pub(crate) fn append_sample(&mut self, sample: &Sample) -> Result<(), RunDirError> {
         RunDirError::of(self.samples.append(std::slice::from_ref(sample)))
     }
 
     /// Appends a verified frame to `errors.csv`, and its largest regions to `regions.csv`.
-    pub(super) fn append_errors(
+    pub(crate) fn append_errors(
         &mut self,
         error: &FrameError,
         regions: &[RegionRow],
@@ -148,22 +147,22 @@ impl RunDir {
     }
 
     /// Appends a row to `bias.csv`.
-    pub(super) fn append_bias(&mut self, bias: &BiasRow) -> Result<(), RunDirError> {
+    pub(crate) fn append_bias(&mut self, bias: &BiasRow) -> Result<(), RunDirError> {
         RunDirError::of(self.biases.append(std::slice::from_ref(bias)))
     }
 
     /// Writes `summary.csv`, over the one before.
-    pub(super) fn write_summary(&self, rows: &[Summary]) -> Result<(), RunDirError> {
+    pub(crate) fn write_summary(&self, rows: &[Summary]) -> Result<(), RunDirError> {
         let path = self.path.join(SUMMARY_FILE);
         RunDirError::of(table::text(rows).and_then(|text| output::write_atomically(&path, text)))
     }
 
     /// Writes a picture of a cell.
-    pub(super) fn write_image(
+    pub(crate) fn write_image(
         &self,
         (scene, method, variant): (&str, &str, &str),
         kind: ImageKind,
-        image: &crate::image::Image<'_>,
+        image: &super::Image<'_>,
     ) -> Result<(), RunDirError> {
         let name = image_name(scene, method, variant, kind);
         RunDirError::of(image.write_png(&self.path.join(IMAGES_DIR).join(name)))

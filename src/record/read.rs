@@ -7,11 +7,11 @@ use std::path::Path;
 use anyhow::{Context as _, Result, bail};
 use serde::de::DeserializeOwned;
 
-use crate::bench::record::{FORMAT, RUN_FILE, RunInfo};
+use crate::record::{FORMAT, RUN_FILE, RunInfo};
 use crate::table::unguarded;
 
 /// The file by which a directory is known for what it is.
-pub(super) struct Head {
+pub(crate) struct Head {
     /// Its name.
     pub file: &'static str,
     /// Newest layout that this version reads.
@@ -23,7 +23,7 @@ pub(super) struct Head {
 }
 
 /// Reads `run.json`.
-pub(super) fn read_info(dir: &Path) -> Result<RunInfo> {
+pub(crate) fn read_info(dir: &Path) -> Result<RunInfo> {
     let head = Head {
         file: RUN_FILE,
         format: FORMAT,
@@ -34,7 +34,7 @@ pub(super) fn read_info(dir: &Path) -> Result<RunInfo> {
 }
 
 /// Reads the file that says what a directory holds.
-pub(super) fn read_head<T: DeserializeOwned>(dir: &Path, head: &Head) -> Result<T> {
+pub(crate) fn read_head<T: DeserializeOwned>(dir: &Path, head: &Head) -> Result<T> {
     let path = dir.join(head.file);
     let text = match fs::read_to_string(&path) {
         Ok(text) => text,
@@ -68,7 +68,7 @@ pub(super) fn read_head<T: DeserializeOwned>(dir: &Path, head: &Head) -> Result<
 }
 
 /// Reads a table that a run need not have.
-pub(super) fn read_optional_rows<T: DeserializeOwned>(
+pub(crate) fn read_optional_rows<T: DeserializeOwned>(
     path: &Path,
     cut_off: bool,
     warnings: &mut Vec<String>,
@@ -81,7 +81,7 @@ pub(super) fn read_optional_rows<T: DeserializeOwned>(
 }
 
 /// Reads a table. With `cut_off`, it may be missing, and its last row may be torn.
-pub(super) fn read_rows<T: DeserializeOwned>(
+pub(crate) fn read_rows<T: DeserializeOwned>(
     path: &Path,
     cut_off: bool,
     warnings: &mut Vec<String>,
@@ -92,7 +92,7 @@ pub(super) fn read_rows<T: DeserializeOwned>(
 
 /// As [`read_rows`], each row with the line where it begins; `head` is the file that says whether the
 /// run is complete.
-pub(super) fn read_lines<T: DeserializeOwned>(
+pub(crate) fn read_lines<T: DeserializeOwned>(
     path: &Path,
     head: &str,
     cut_off: bool,
