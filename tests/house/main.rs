@@ -33,13 +33,13 @@ const FLOORS: [&str; 14] = [
 ];
 
 /// Imports that run up a floor: `(importing folder, imported folder)`.
-const KNOWN_UPWARD: &[(&str, &str)] = &[("frame", "methods")];
+const KNOWN_UPWARD: &[(&str, &str)] = &[];
 
 /// Circles: the folder, and the files and folders in it that import each other.
 const KNOWN_CIRCLES: &[&str] = &[
     "bench: cell, measure",
     "bench: preparation, runner, scene_run, verify_cells",
-    "gpu: recorder, timer",
+    "gpu: recorder, stage, timer",
     "methods: cube_shadow_map, depth_map, parameters, registry, shadow_map, silhouette, silhouette_gs, \
      silhouette_ts, triangle_gs, triangle_ts, volume_parameters, volumes",
     "report: curve, load",
@@ -56,7 +56,7 @@ const KNOWN_LONG_FUNCTIONS: &[&str] = &[
     "cli::render::execute",
     "gpu::native::bindings::new",
     "gpu::native::pipeline::create",
-    "methods::frustum::around_casters",
+    "methods::frustum::around",
     "report::plots::errors_by_parameter::chart",
     "scene::obj_text::other_kind",
 ];
