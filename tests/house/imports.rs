@@ -134,12 +134,12 @@ impl Finder<'_> {
         };
         match tree {
             syn::UseTree::Path(path) => {
-                self.add_tree(&path.tree, &[words, &[path.ident.to_string()]].concat())
+                self.add_tree(&path.tree, &[words, &[path.ident.to_string()]].concat());
             }
             syn::UseTree::Name(tree) => add(&tree.ident, &tree.ident),
             syn::UseTree::Rename(tree) => add(&tree.ident, &tree.rename),
             syn::UseTree::Glob(glob) => {
-                self.add(words, None, glob.star_token.spans[0].start().line)
+                self.add(words, None, glob.star_token.spans[0].start().line);
             }
             syn::UseTree::Group(group) => group
                 .items

@@ -66,12 +66,12 @@ fn shown(path: &Path) -> String {
 pub(crate) fn sources() -> Vec<Source> {
     let mut sources = Vec::new();
     for name in ["lib.rs", "main.rs"] {
-        read(&root().join(name), Vec::new(), &mut sources);
+        read(&root().join(name), &[], &mut sources);
     }
     sources
 }
 
-fn read(path: &Path, module: Vec<String>, sources: &mut Vec<Source>) {
+fn read(path: &Path, module: &[String], sources: &mut Vec<Source>) {
     let text =
         fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
     let syntax =
@@ -95,7 +95,7 @@ fn read(path: &Path, module: Vec<String>, sources: &mut Vec<Source>) {
     };
     sources.push(Source {
         file: shown(path),
-        module: module.clone(),
+        module: module.to_owned(),
         syntax,
         lines: text.lines().count(),
     });
@@ -104,8 +104,8 @@ fn read(path: &Path, module: Vec<String>, sources: &mut Vec<Source>) {
             folder.join(format!("{name}.rs")),
             folder.join(&name).join("mod.rs"),
         ];
-        let child = [&module[..], &[name]].concat();
-        read(if file.exists() { &file } else { &face }, child, sources);
+        let child = [module, &[name]].concat();
+        read(if file.exists() { &file } else { &face }, &child, sources);
     }
 }
 

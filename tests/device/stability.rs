@@ -1,9 +1,7 @@
 //! Where methods fail, and where they may not: the causes of failure against theory, and random scenes.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
-mod common;
-
-use common::device;
+use crate::common::device;
 use svbench::judge::{Attempt, Judge};
 use svbench::methods::ShadowMethod;
 use svbench::methods::parameters::parse_method;

@@ -1,0 +1,14 @@
+//! What needs a device: one program, so that all its tests share one, opened once.
+
+mod accuracy;
+mod common;
+mod counting;
+mod facing;
+mod gbuffer;
+mod hard_errors;
+mod maps;
+mod metamorphic;
+mod methods;
+mod minimise;
+mod stability;
+mod study;
