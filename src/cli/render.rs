@@ -6,7 +6,7 @@ use crate::console;
 use crate::frame::FrameResources;
 use crate::gpu::{FrameTimer, FrameTimes};
 use crate::judge::Verifier;
-use crate::methods::{self, MethodError, PrepareContext, parameters};
+use crate::methods::{self, MethodError, PrepareContext, Registry};
 use crate::metrics::MaskError;
 use crate::record::Image;
 use anyhow::Context;
@@ -75,8 +75,8 @@ struct Output<'a> {
     warnings: Vec<String>,
 }
 
-pub(super) fn execute(args: &RenderArgs) -> anyhow::Result<()> {
-    let method = parameters::parse_method(&args.method)?;
+pub(super) fn execute(args: &RenderArgs, registry: &Registry) -> anyhow::Result<()> {
+    let method = registry.parse(&args.method)?;
     let outputs = [
         ("--out", &args.out),
         ("--mask", &args.mask),
