@@ -6,8 +6,7 @@ use crate::common::device;
 use crate::stability::SIZE_PX;
 use std::collections::BTreeMap;
 use svbench::judge::Judge;
-use svbench::methods::parameters::parse_method;
-use svbench::methods::{Limit, REGISTRY};
+use svbench::methods::{Limit, Registry};
 use svbench::stress::{Finding, find_cause};
 
 /// Whether a method, with a parameter that the limit speaks of, is wrong at any value from which on the limit says
@@ -28,7 +27,7 @@ fn is_shown(judge: &Judge, id: &str, limit: &Limit, cause: &str) -> bool {
         .filter(|&value| limit.covers(&cause.id, value));
     let values: Vec<_> = values.collect();
     variants.iter().any(|variant| {
-        let methods = [parse_method(variant).unwrap()];
+        let methods = [Registry::builtin().parse(variant).unwrap()];
         values.iter().rev().any(|&value| {
             let trial = judge.judge(&cause.scene(value, 0), &methods);
             let drawn = trial.attempts[0].drawn();
@@ -46,7 +45,7 @@ fn every_declared_cause_fails() {
     let judge = Judge::new(&gpu, SIZE_PX);
     // Methods share limits: one of them has to show each.
     let mut shown: BTreeMap<(&str, &str), bool> = BTreeMap::new();
-    for method in REGISTRY {
+    for method in Registry::builtin().iter() {
         for limit in method.info.limits.iter().copied().flatten() {
             for (cause, _) in limit.fails {
                 let shown = shown.entry((limit.text, *cause)).or_default();

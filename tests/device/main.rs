@@ -2,6 +2,7 @@
 
 mod accuracy;
 mod common;
+mod contract;
 mod counting;
 mod facing;
 mod gbuffer;

@@ -39,9 +39,8 @@ const KNOWN_UPWARD: &[(&str, &str)] = &[];
 const KNOWN_CIRCLES: &[&str] = &[
     "bench: cell, measure",
     "bench: preparation, runner, scene_run, verify_cells",
+    "gpu: adapter, device",
     "gpu: recorder, stage, timer",
-    "methods: cube_shadow_map, depth_map, parameters, registry, shadow_map, silhouette, silhouette_gs, \
-     silhouette_ts, triangle_gs, triangle_ts, volume_parameters, volumes",
     "report: curve, load",
     "report: html, stability",
     "report::paper: check, judge",
@@ -52,9 +51,9 @@ const KNOWN_CIRCLES: &[&str] = &[
 /// Functions that are too long.
 const KNOWN_LONG_FUNCTIONS: &[&str] = &[
     "bench::verify_cells::verify_cells",
-    "cli::list::text",
     "cli::render::execute",
     "gpu::native::bindings::new",
+    "gpu::native::open::open_vulkan",
     "gpu::native::pipeline::create",
     "methods::frustum::around",
     "report::plots::errors_by_parameter::chart",

@@ -1,9 +1,7 @@
 //! What a frame promises to a method: stages on both clocks, commands in order whoever recorded them, answers within
 //! the frame and frames later, and state that ends where a sequence of frames does.
 
-mod common;
-
-use common::{device, scene_over_ground, view};
+use crate::common::{device, scene_over_ground, view};
 use glam::{Vec3, Vec4};
 use std::collections::VecDeque;
 use std::time::Duration;
