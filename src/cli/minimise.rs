@@ -85,21 +85,7 @@ pub(super) fn execute(args: &MinimiseArgs, registry: &Registry) -> anyhow::Resul
         console::print(&format!("note: {note}\n"));
     }
 
-    let (left, all) = (&minimised.scene.mesh, &scene.mesh);
-    let mut text = format!(
-        "{} of {} triangles are left, {} of {} vertices, after {} trials in {:.1} s{}\n",
-        left.triangles.len(),
-        all.triangles.len(),
-        left.positions.len(),
-        all.positions.len(),
-        minimised.trials,
-        started.elapsed().as_secs_f64(),
-        if minimised.finished {
-            ""
-        } else {
-            "; stopped before the end"
-        },
-    );
+    let mut text = what_is_left(&minimised, &scene, started.elapsed());
     let best = match earlier {
         Some(earlier) if is_better(&earlier, &minimised, &judge, &methods)? => {
             text.push_str(&format!(
@@ -127,6 +113,24 @@ pub(super) fn execute(args: &MinimiseArgs, registry: &Registry) -> anyhow::Resul
         );
     }
     Ok(())
+}
+
+fn what_is_left(minimised: &Minimised, scene: &Scene, time: Duration) -> String {
+    let (left, all) = (&minimised.scene.mesh, &scene.mesh);
+    format!(
+        "{} of {} triangles are left, {} of {} vertices, after {} trials in {:.1} s{}\n",
+        left.triangles.len(),
+        all.triangles.len(),
+        left.positions.len(),
+        all.positions.len(),
+        minimised.trials,
+        time.as_secs_f64(),
+        if minimised.finished {
+            ""
+        } else {
+            "; stopped before the end"
+        },
+    )
 }
 
 /// Whether an earlier result still fails and has fewer triangles than the new one, or as few as one that is not

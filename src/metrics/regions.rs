@@ -4,7 +4,7 @@ use imageproc::image::{GrayImage, Luma};
 use imageproc::region_labelling::{Connectivity, connected_components};
 use std::cmp::Reverse;
 
-use super::labels::Label;
+use super::label::Label;
 use super::mask_error::{MaskComparison, PixelResult, Place};
 
 /// In which direction a pixel is wrong.

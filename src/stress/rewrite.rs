@@ -1,12 +1,20 @@
 //! Meshes told otherwise: how [`Change`](super::Change)s are made.
 
-use super::change::Changed;
 use crate::geometry::Topology;
 use crate::scene::{CameraKey, CameraPath, Flight, LightKey, LightPath, Mesh, Object, Part, Scene};
 use glam::Vec3;
 use rand::seq::SliceRandom;
 use rand::{Rng, RngExt};
 use std::collections::HashSet;
+
+/// A scene whose shadow is that of another.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Changed {
+    /// The scene.
+    pub scene: Scene,
+    /// Of each triangle, the one of the scene before that it is, or is a part of.
+    pub origins: Vec<u32>,
+}
 
 /// A mesh, and of each triangle the one that it comes from.
 pub(super) type Rewritten = (Mesh, Vec<u32>);

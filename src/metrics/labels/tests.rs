@@ -3,7 +3,7 @@
 use glam::{DVec2, DVec3, Vec3, Vec4};
 use std::sync::LazyLock;
 
-use super::Label;
+use crate::metrics::Label;
 use crate::metrics::shot::{CENTRE, HEIGHT, LIGHT, RADIUS, Shot, WIDTH};
 use crate::metrics::{MaskError, Region, Sign};
 use crate::reference::Verdict;

@@ -1,6 +1,6 @@
 //! What is true of a whole mask: it is inverted, or moved by a pixel.
 
-use super::Label;
+use crate::metrics::Label;
 use crate::metrics::mask_error::MaskComparison;
 use crate::reference::Verdict;
 

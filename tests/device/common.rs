@@ -1,5 +1,4 @@
 //! What all tests on a device share.
-#![allow(dead_code, reason = "each test program uses its own part")]
 
 use glam::{Vec3, Vec4};
 use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};

@@ -2,9 +2,7 @@
 //! infinity, and the same answer every time.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
-mod common;
-
-use common::{box_edge_on_to_the_light, device, scene_over_ground, view};
+use crate::common::{box_edge_on_to_the_light, device, scene_over_ground, view};
 use glam::{Vec3, Vec4};
 use std::path::Path;
 use svbench::config::find_scene;

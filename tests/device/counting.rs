@@ -1,9 +1,7 @@
 //! z-pass where it is provably right, z-fail elsewhere, against z-fail everywhere.
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "tests")]
 
-mod common;
-
-use common::device;
+use crate::common::device;
 use glam::Vec3;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;

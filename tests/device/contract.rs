@@ -1,9 +1,8 @@
 //! What a frame promises to a method: stages on both clocks, commands in order whoever recorded them, answers within
 //! the frame and frames later, and state that ends where a sequence of frames does.
+#![allow(clippy::unwrap_used, reason = "tests")]
 
-mod common;
-
-use common::{device, scene_over_ground, view};
+use crate::common::{device, scene_over_ground, view};
 use glam::{Vec3, Vec4};
 use std::collections::VecDeque;
 use std::time::Duration;
@@ -324,7 +323,7 @@ impl AsksLater {
 
     fn ask(&mut self, frame: &mut Frame<'_>) {
         let view = &frame.targets().colour_view;
-        let draws = self.frame % 2 == 0;
+        let draws = self.frame.is_multiple_of(2);
         self.frame += 1;
         let ticket = frame.stage("query", |stage| {
             let mut pass = stage

@@ -2,9 +2,7 @@
 //! and that the truth decides nearly everything.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
-mod common;
-
-use common::{device, scene_over_ground, view};
+use crate::common::{device, scene_over_ground, view};
 use glam::{Vec3, Vec4};
 use std::path::Path;
 use svbench::config::{builtin_scenes, find_scene};

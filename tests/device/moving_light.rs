@@ -1,8 +1,5 @@
 //! A light that moves: every moment has its own truth, and methods draw it.
-
-mod common;
-
-use common::{device, scene_over_ground, view};
+use crate::common::{device, scene_over_ground, view};
 use glam::{Vec3, Vec4};
 use svbench::frame::FrameResources;
 use svbench::judge::Verifier;

@@ -1,9 +1,7 @@
 //! Wrong pixels that no tie excuses: the truth is the same all around their centre.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
-mod common;
-
-use common::{device, scene_over_ground, view};
+use crate::common::{device, scene_over_ground, view};
 use glam::{Vec3, Vec4};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;

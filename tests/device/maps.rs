@@ -1,9 +1,7 @@
 //! Shadow maps by their default bias: no surface shadows itself, wherever the scene is and wherever the light.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
-mod common;
-
-use common::device;
+use crate::common::device;
 use glam::{Vec3, Vec4};
 use svbench::judge::Judge;
 use svbench::methods::Registry;

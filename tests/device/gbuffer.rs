@@ -1,9 +1,7 @@
 //! The G-buffer names the triangle that each pixel shows.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
-mod common;
-
-use common::device;
+use crate::common::device;
 use svbench::frame::FrameResources;
 use svbench::gpu::{FrameRecorder, Gpu, readback};
 use svbench::reference::{Reference, ReferenceView};
@@ -52,8 +50,9 @@ fn pixels_name_the_triangles_that_rays_meet() {
         columns: 10,
         slices: 8,
     };
-    let (mesh, view) = (grid.mesh().unwrap(), common::view());
-    let template = common::scene_over_ground(&[], 0.0, glam::Vec4::new(3.0, 20.0, 5.0, 1.0), &view);
+    let (mesh, view) = (grid.mesh().unwrap(), crate::common::view());
+    let light = glam::Vec4::new(3.0, 20.0, 5.0, 1.0);
+    let template = crate::common::scene_over_ground(&[], 0.0, light, &view);
     let scene = Scene::new("grid".to_owned(), String::new(), mesh, template.flight);
     let of_grid_px = assert_alike(&gpu, &scene, &scene.flight.at(0.0));
     let soups = (0..20).map(random::case);
