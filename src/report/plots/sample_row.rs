@@ -1,7 +1,6 @@
 //! The key of a scatter chart: what its lines and markers mean, in rows above it.
 
 use anyhow::Result;
-use plotters::prelude::DrawingBackend;
 
 use super::canvas::{Canvas, FADED, FRONT, INK, LEFT, Px, WHISKER, text_width_px};
 use super::scatter::{CAP_PX, CurveLine, Dot, ScatterChart};
@@ -18,14 +17,7 @@ enum Sample<'a> {
 }
 
 /// Draws the key in rows from `at` and gives the height at which it ends.
-pub(super) fn paint<DB: DrawingBackend>(
-    chart: &ScatterChart,
-    canvas: &Canvas<'_, DB>,
-    at: Px,
-) -> Result<i32>
-where
-    DB::ErrorType: 'static,
-{
+pub(super) fn paint(chart: &ScatterChart, canvas: &Canvas<'_, '_>, at: Px) -> Result<i32> {
     let has = |found: bool, sample| found.then_some(sample);
     let dominated = chart.dots.iter().any(|dot| !dot.on_front);
     let ranged = |dot: &Dot| dot.x_range.or(dot.y_range).is_some();
@@ -61,10 +53,7 @@ impl Sample<'_> {
         }
     }
 
-    fn paint<DB: DrawingBackend>(&self, canvas: &Canvas<'_, DB>, (x, y): Px) -> Result<()>
-    where
-        DB::ErrorType: 'static,
-    {
+    fn paint(&self, canvas: &Canvas<'_, '_>, (x, y): Px) -> Result<()> {
         let (middle, right) = (x + KEY_LINE_PX / 2, x + KEY_LINE_PX);
         match self {
             Self::Front => canvas.line(
