@@ -1,8 +1,9 @@
 //! The smallest slope bias of a shadow map without acne, and the detached shadow that it costs.
 
 use crate::config::RunPlan;
+use crate::frame::PreparedMethod;
 use crate::judge::{Observer, Truth, Verifier};
-use crate::methods::{self, BiasSearch, PrepareContext, PreparedMethod};
+use crate::methods::{self, BiasSearch, PrepareContext};
 use crate::metrics::Label;
 use crate::record::{BiasRow, Cell};
 use crate::scene::CameraPath;
@@ -67,8 +68,8 @@ pub(super) fn find(
             return Ok(None);
         }
         tried += 1;
-        let prepared = methods::prepare((search.with_bias)(slope_bias).as_ref(), context)?;
-        try_bias(slope_bias, prepared.as_ref(), verifier, truths).map(Some)
+        let mut prepared = methods::prepare((search.with_bias)(slope_bias).as_ref(), context)?;
+        try_bias(slope_bias, prepared.as_mut(), verifier, truths).map(Some)
     };
     let tolerance_px = TOLERANCE * f64::from(cell.width) * f64::from(cell.height);
     let Some((unbiased, found)) = smallest(tolerance_px, trial)? else {
@@ -131,7 +132,7 @@ fn smallest(
 
 fn try_bias(
     slope_bias: f64,
-    prepared: &dyn PreparedMethod,
+    prepared: &mut dyn PreparedMethod,
     verifier: &Verifier<'_>,
     truths: &[Truth],
 ) -> anyhow::Result<Trial> {

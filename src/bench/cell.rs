@@ -2,8 +2,9 @@
 
 use super::measure::Measured;
 use crate::config::MethodPlan;
+use crate::frame::PreparedMethod;
 use crate::frame::{GBUFFER_STAGE, SHADE_STAGE};
-use crate::methods::{MethodError, PreparedMethod, ShadowMethod};
+use crate::methods::{MethodError, ShadowMethod};
 use crate::record::in_one_line;
 use crate::record::{
     Cell, FrameError, MethodRecord, Sample, Status, Summary, SweepRecord, pairs_to_text,
@@ -77,6 +78,14 @@ impl<'a> CellRun<'a> {
         }
     }
 
+    /// The same, to draw it.
+    pub(super) fn prepared_mut(&mut self) -> Option<&mut dyn PreparedMethod> {
+        match &mut self.state {
+            State::Ready(prepared) => Some(prepared.as_mut()),
+            State::Planned | State::Not(..) => None,
+        }
+    }
+
     /// Whether there is something left to do.
     pub(super) fn is_open(&self) -> bool {
         !matches!(self.state, State::Not(..))
@@ -121,11 +130,10 @@ impl<'a> CellRun<'a> {
     /// The row of a measured frame.
     pub(super) fn sample(&self, measured: &Measured) -> Sample {
         let times = &measured.times;
-        let own = times
-            .stages
-            .iter()
-            .copied()
-            .filter(|(name, _)| ![GBUFFER_STAGE, SHADE_STAGE].contains(name));
+        let own = times.stages.iter().map(|stage| stage.name);
+        let own = own
+            .filter(|name| ![GBUFFER_STAGE, SHADE_STAGE].contains(name))
+            .map(|name| (name, times.stage_ms(name)));
         Sample {
             scene: self.cell.scene.clone(),
             triangles: self.cell.triangles.unwrap_or(0),
@@ -151,7 +159,7 @@ impl<'a> CellRun<'a> {
     /// Takes a measured frame and its row in.
     pub(super) fn keep(&mut self, measured: &Measured, sample: Sample) {
         if self.stages.is_empty() {
-            let names = measured.times.stages.iter().map(|(name, _)| *name);
+            let names = measured.times.stages.iter().map(|stage| stage.name);
             self.stages = names.map(str::to_owned).collect();
         }
         self.samples.push(sample);

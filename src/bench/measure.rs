@@ -3,7 +3,7 @@
 
 use super::cell::CellRun;
 use crate::frame::{FrameResources, GBUFFER_STAGE, SHADE_STAGE};
-use crate::gpu::{FrameTimer, Gpu, StageTimes};
+use crate::gpu::{FrameTimer, FrameTimes, Gpu};
 use crate::judge::Observer;
 use crate::record::run_dir::RunDir;
 use crate::record::{RunDirError, in_one_line};
@@ -32,7 +32,7 @@ pub(super) struct Measured {
     /// Its place in the order in which frames were drawn.
     pub order: u64,
     /// Its times.
-    pub times: StageTimes,
+    pub times: FrameTimes,
 }
 
 impl Measured {
@@ -133,12 +133,12 @@ impl Flight<'_, '_> {
                 return Ok(());
             }
         }
-        let Some(prepared) = self.cells[tag.cell].prepared() else {
+        let Some(prepared) = self.cells[tag.cell].prepared_mut() else {
             return Ok(());
         };
-        let drawn = self.timer.frame(self.gpu, tag, |recorder| {
-            stage.record(recorder, prepared);
-        });
+        let drawn = self
+            .timer
+            .frame(self.gpu, tag, |recorder| stage.record(recorder, prepared));
         if let Err(error) = drawn {
             self.end(tag, &error);
         }
@@ -159,7 +159,7 @@ impl Flight<'_, '_> {
         Ok(())
     }
 
-    fn keep(&mut self, (tag, times): (Tag, StageTimes)) -> Result<(), RunDirError> {
+    fn keep(&mut self, (tag, times): (Tag, FrameTimes)) -> Result<(), RunDirError> {
         let run = &mut self.cells[tag.cell];
         if tag.warmup || !run.is_open() {
             return Ok(());

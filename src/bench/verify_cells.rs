@@ -151,12 +151,12 @@ fn judge_cell(
     request: &RunRequest<'_>,
     moment: &Moment<'_>,
     frame: u32,
-    run: &CellRun<'_>,
+    run: &mut CellRun<'_>,
 ) -> anyhow::Result<Judged> {
-    let prepared = run.prepared().context("it is not ready to be drawn")?;
     let (verifier, truth, cell) = (moment.verifier, &moment.truth, &run.cell);
     let text = format!("{}: verifying {}", cell.scene, cell.method);
     request.observer.phase(&text);
+    let prepared = run.prepared_mut().context("it is not ready to be drawn")?;
     let mask = verifier.draw_mask(prepared, truth)?;
     let picture = match (&moment.picture, frame) {
         (None, 1..) => None,

@@ -4,9 +4,9 @@ use super::shot::{ShotArgs, kinds_of_error, wrong_pixels};
 use super::{DeviceArgs, check_size, outputs, reference_cache, values};
 use crate::console;
 use crate::frame::FrameResources;
-use crate::gpu::{FrameTimer, StageTimes};
+use crate::gpu::{FrameTimer, FrameTimes};
 use crate::judge::Verifier;
-use crate::methods::{self, MethodError, PrepareContext, parameters};
+use crate::methods::{self, MethodError, PrepareContext, Registry};
 use crate::metrics::MaskError;
 use crate::record::Image;
 use anyhow::Context;
@@ -75,8 +75,8 @@ struct Output<'a> {
     warnings: Vec<String>,
 }
 
-pub(super) fn execute(args: &RenderArgs) -> anyhow::Result<()> {
-    let method = parameters::parse_method(&args.method)?;
+pub(super) fn execute(args: &RenderArgs, registry: &Registry) -> anyhow::Result<()> {
+    let method = registry.parse(&args.method)?;
     let outputs = [
         ("--out", &args.out),
         ("--mask", &args.mask),
@@ -99,13 +99,13 @@ pub(super) fn execute(args: &RenderArgs) -> anyhow::Result<()> {
     depth.check(&gpu).map_err(MethodError::Unavailable)?;
     let stage = FrameResources::new(&gpu, &scene, width, height)?.with_depth(&gpu, depth)?;
     let context = PrepareContext::new(&gpu, &scene, &stage);
-    let prepared = methods::prepare(method.as_ref(), &context)
+    let mut prepared = methods::prepare(method.as_ref(), &context)
         .with_context(|| format!("method `{}`", info.id))?;
 
     let cache = reference_cache()?;
     let verifier = Verifier::new(&gpu, &scene, &stage, &cache)?;
     let truth = verifier.truth(&view)?;
-    let mask = verifier.draw_mask(prepared.as_ref(), &truth)?;
+    let mask = verifier.draw_mask(prepared.as_mut(), &truth)?;
     let picture = verifier.read_picture()?;
     let judgement = verifier.judge(&mask, &truth, prepared.as_ref())?;
     let write = |path: &Option<PathBuf>, image: Image<'_>| {
@@ -121,7 +121,7 @@ pub(super) fn execute(args: &RenderArgs) -> anyhow::Result<()> {
 
     // The frame above was this method's first; the times are those of a second one.
     let mut timer = FrameTimer::new(&gpu);
-    timer.frame(&gpu, (), |frame| stage.record(frame, prepared.as_ref()))?;
+    timer.frame(&gpu, (), |frame| stage.record(frame, prepared.as_mut()))?;
     let times = timer.finish(&gpu)?.pop().map(|((), times)| times);
     let times = times.context("the frame's times got lost")?;
     let output = Output {
@@ -159,15 +159,15 @@ pub(super) fn execute(args: &RenderArgs) -> anyhow::Result<()> {
     console::check_printed()
 }
 
-fn stages(times: &StageTimes) -> Counts {
+fn stages(times: &FrameTimes) -> Counts {
     times
         .stages
         .iter()
-        .map(|(name, ms)| ((*name).to_owned(), (*ms).into()))
+        .map(|stage| (stage.name.to_owned(), times.stage_ms(stage.name).into()))
         .collect()
 }
 
-fn text(output: &Output<'_>, kinds: &str, times: &StageTimes) -> String {
+fn text(output: &Output<'_>, kinds: &str, times: &FrameTimes) -> String {
     let mut text = format!(
         "{} {} on {}: {} triangles, {} objects, {} × {} pixels\n",
         output.method,
@@ -189,7 +189,7 @@ fn text(output: &Output<'_>, kinds: &str, times: &StageTimes) -> String {
     let stages: Vec<_> = times
         .stages
         .iter()
-        .map(|(name, ms)| format!("{name} {ms:.3}"))
+        .map(|stage| format!("{} {:.3}", stage.name, times.stage_ms(stage.name)))
         .collect();
     text.push_str(&format!(
         "{:.3} ms: {}\n",

@@ -4,8 +4,11 @@
 //! This is the only room with `unsafe` code. [`native`] holds all that talks to Vulkan directly;
 //! its public face is safe.
 
+mod adapter;
+mod capability;
 mod depth;
-pub mod device;
+mod device;
+mod error;
 mod fault;
 pub mod messages;
 pub mod native;
@@ -13,10 +16,20 @@ pub mod readback;
 pub mod recorder;
 mod resource;
 pub mod shader;
+mod stage;
+mod ticket;
+pub mod timeline;
 pub mod timer;
+mod uploads;
 
+pub use adapter::{DeviceSummary, list_devices, type_name};
+pub use capability::Capability;
 pub use depth::DepthDirection;
-pub use device::{DeviceSummary, Gpu, GpuError, GpuOptions, Requirement, list_devices};
+pub use device::{Gpu, GpuOptions};
+pub use error::GpuError;
 pub use fault::DeviceError;
 pub use recorder::FrameRecorder;
-pub use timer::{FrameTimer, StageTimes};
+pub use stage::Stage;
+pub use ticket::Ticket;
+pub use timeline::StageTime;
+pub use timer::{FrameTimer, FrameTimes};

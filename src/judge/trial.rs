@@ -1,10 +1,11 @@
 //! One picture of one scene, drawn by several methods and judged.
 
 use super::verifier::{Judgement, Truth, Verifier};
+use crate::frame::PreparedMethod;
 use crate::frame::{DepthSetup, FrameResources};
 use crate::geometry::Topology;
 use crate::gpu::{Gpu, GpuError};
-use crate::methods::{self, MethodError, PrepareContext, PreparedMethod, ShadowMethod};
+use crate::methods::{self, MethodError, PrepareContext, ShadowMethod};
 use crate::record::in_one_line;
 use crate::reference::{ReferenceCache, ReferenceMask};
 use crate::scene::{Scene, View};
@@ -219,7 +220,7 @@ impl Set<'_> {
     fn prepared<T>(
         &self,
         method: &dyn ShadowMethod,
-        draw: impl FnOnce(&FrameResources, &dyn PreparedMethod) -> anyhow::Result<T>,
+        draw: impl FnOnce(&FrameResources, &mut dyn PreparedMethod) -> anyhow::Result<T>,
     ) -> Result<T, NoPicture> {
         let setup = method.depth_setup();
         let unavailable = NoPicture::Unavailable;
@@ -229,11 +230,11 @@ impl Set<'_> {
             unreachable!("there is a stage for each setup that the device can draw")
         };
         let context = PrepareContext::sharing(&self.gpu, self.scene, stage, &self.topology);
-        let prepared = match methods::prepare(method, &context) {
+        let mut prepared = match methods::prepare(method, &context) {
             Ok(prepared) => prepared,
             Err(MethodError::Unavailable(reason)) => return Err(unavailable(reason)),
             Err(error) => return Err(NoPicture::failed(&error.into())),
         };
-        draw(stage, prepared.as_ref()).map_err(|error| NoPicture::failed(&error))
+        draw(stage, prepared.as_mut()).map_err(|error| NoPicture::failed(&error))
     }
 }

@@ -1,9 +1,9 @@
 //! Checking a method's mask against the ray-traced truth, in frames that nobody times.
 
+use crate::frame::PreparedMethod;
 use crate::frame::{FrameResources, FrameView};
 use crate::gpu::{FrameRecorder, Gpu, readback};
 use crate::memory;
-use crate::methods::PreparedMethod;
 use crate::metrics::{
     Analysis, Distances, EdgeDistances, Flicker, FrameContext, MaskComparison, MaskError,
     SEAM_STEPS, analyse, mean_flip,
@@ -149,7 +149,11 @@ impl<'a> Verifier<'a> {
     ///
     /// # Errors
     /// When the device is lost.
-    pub fn draw_mask(&self, method: &dyn PreparedMethod, truth: &Truth) -> anyhow::Result<Vec<u8>> {
+    pub fn draw_mask(
+        &self,
+        method: &mut dyn PreparedMethod,
+        truth: &Truth,
+    ) -> anyhow::Result<Vec<u8>> {
         self.stage.set_view(self.gpu, &truth.camera, self.light);
         self.stage.draw_mask(self.gpu, method)
     }
