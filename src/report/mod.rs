@@ -31,7 +31,6 @@ pub mod table;
 
 pub use load::Run;
 pub use merged::write_merged;
-pub use stability::write_stability;
 
 /// Name of the Markdown table in a run directory.
 pub const TABLE_FILE: &str = "table.md";
@@ -68,6 +67,19 @@ pub fn write_all(dir: &Path, legend: &[LegendEntry]) -> Result<PathBuf> {
     let page = dir.join(HTML_FILE);
     let text = html::page(&run, &papers, &clouds, &plots, legend)?;
     write_atomically(&page, &text)?;
+    Ok(page)
+}
+
+/// Reads the stress run in `dir` and writes the matrix and the page into it; gives the path of the page.
+/// `legend` explains the colours of the error maps.
+///
+/// # Errors
+/// When a file of the run is broken, or one cannot be written.
+pub fn write_stability(dir: &Path, legend: &[LegendEntry]) -> Result<PathBuf> {
+    let run = stability::StressRun::read(dir)?;
+    write_atomically(&dir.join(stability::MATRIX_FILE), run.matrix_markdown())?;
+    let page = dir.join(HTML_FILE);
+    write_atomically(&page, &html::stability_page(&run, legend)?)?;
     Ok(page)
 }
 

@@ -2,7 +2,8 @@
 
 use anyhow::{Context as _, Result};
 
-use super::sheet::{Column, Mask, Point, Sheet, Source};
+use super::sheet::{Column, Point, Sheet, Source};
+use super::value::Mask;
 
 /// The numbers of one measurer: of the paper's authors on all their devices, or of one device here.
 #[derive(Debug, Clone, Copy)]

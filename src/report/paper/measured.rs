@@ -2,8 +2,10 @@
 
 use std::cmp::Reverse;
 
-use super::published::{Quantity, Series};
-use super::sheet::{Column, Mask, Point, Sheet, Source, Value};
+use super::published::Quantity;
+use super::series::Series;
+use super::sheet::{Column, Point, Sheet, Source};
+use super::value::{Mask, Value};
 use crate::record::{Status, Summary};
 use crate::report::groups::Group;
 use crate::report::load::Run;

@@ -16,13 +16,16 @@ pub mod claims;
 pub mod finding;
 pub mod ledger;
 pub mod published;
+pub mod series;
 pub mod sheet;
 pub mod tables;
+pub mod value;
 
 mod evidence;
 mod judge;
 mod measured;
 mod numbers;
+mod rules;
 
 pub use ledger::Ledger;
 pub use sheet::Sheet;

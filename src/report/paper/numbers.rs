@@ -4,8 +4,10 @@ use std::collections::HashMap;
 
 use anyhow::{Context as _, Result};
 
-use super::published::{self, At, Publication, Spec};
-use super::sheet::{Column, Mask, Point, Sheet, Source, Value};
+use super::published::{self, Publication, Spec};
+use super::series::At;
+use super::sheet::{Column, Point, Sheet, Source};
+use super::value::{Mask, Value};
 use crate::report::format::count;
 
 /// Columns of numbers, of which a point may be made without a place.

@@ -2,7 +2,8 @@
 
 use anyhow::Result;
 
-use super::sheet::{Column, Sheet, Value};
+use super::sheet::{Column, Sheet};
+use super::value::Value;
 use crate::report::table::{self, Cell, Table, escape};
 use crate::table::text;
 

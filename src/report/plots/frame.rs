@@ -8,6 +8,8 @@ use super::canvas::{Canvas, GRID, INK, MUTED, Px, font};
 
 /// Room for tick labels and the title of the vertical axis.
 const LEFT_PX: i32 = 84;
+/// From the edge of the plot to the titles of its axes.
+const EDGE_PX: i32 = 10;
 
 /// What lies around the frame, in pixels.
 #[derive(Debug, Clone, Copy)]
@@ -32,8 +34,10 @@ impl Frame {
         let mut chart = ChartBuilder::on(canvas.0)
             .margin_top(room.top)
             .margin_right(room.right)
-            .set_label_area_size(plotters::prelude::LabelAreaPosition::Left, LEFT_PX)
-            .set_label_area_size(plotters::prelude::LabelAreaPosition::Bottom, room.bottom)
+            .margin_left(EDGE_PX)
+            .margin_bottom(EDGE_PX)
+            .y_label_area_size(LEFT_PX - EDGE_PX)
+            .x_label_area_size(room.bottom - EDGE_PX)
             .build_cartesian_2d(x.clone(), y.clone())?;
         chart
             .configure_mesh()

@@ -61,7 +61,7 @@ fn lines(sheet: &Sheet) -> LineChart {
                         color: canvas::color(series),
                         ..device_key(device, column)
                     },
-                    contender: contender(name, &column.device),
+                    contender: Contender::new(name, &column.device),
                     points,
                 });
             }
@@ -87,7 +87,7 @@ fn keys(sheet: &Sheet) -> Vec<(Key, Contender)> {
             marker: None,
             ..Key::of(index)
         };
-        (key, contender(name, ""))
+        (key, Contender::new(name, ""))
     });
     let devices = sheet.columns.iter().enumerate().map(|(index, column)| {
         let who = if column.is_published() {
@@ -95,7 +95,10 @@ fn keys(sheet: &Sheet) -> Vec<(Key, Contender)> {
         } else {
             "measured"
         };
-        (device_key(index, column), contender(&column.device, who))
+        (
+            device_key(index, column),
+            Contender::new(&column.device, who),
+        )
     });
     series.chain(devices).collect()
 }
@@ -106,13 +109,6 @@ fn device_key(index: usize, column: &Column) -> Key {
         color: INK,
         marker: Some(index),
         dash_px: column.is_published().then_some(dash_px),
-    }
-}
-
-fn contender(method: &str, variant: &str) -> Contender {
-    Contender {
-        method: method.to_owned(),
-        variant: variant.to_owned(),
     }
 }
 
@@ -133,7 +129,7 @@ fn bars(sheet: &Sheet) -> BarChart {
         y: Axis::fit(sheet.paper.quantity.title(), fps.into_iter()),
         keys: names
             .enumerate()
-            .map(|(index, name)| (Key::of(index), contender(name, "")))
+            .map(|(index, name)| (Key::of(index), Contender::new(name, "")))
             .collect(),
         groups,
         bands,

@@ -9,13 +9,11 @@ use super::canvas::{
 use super::frame::{Frame, Room};
 use super::labels::{self, Anchor, Placed, Rect};
 use super::legend::Key;
-use super::sample_row;
+use super::sample_row::{self, CAP_PX, Sample};
 
 /// How large it is drawn: dozens of names need room.
 pub(super) const SIZE_PX: (u32, u32) = (1200, 800);
 const NAME_PX: i32 = 13;
-/// Half the width of a whisker's end.
-pub(super) const CAP_PX: i32 = 3;
 
 /// A scatter chart; less is better on both axes.
 #[derive(Debug)]
@@ -52,7 +50,7 @@ pub(super) struct CurveLine {
 
 impl ScatterChart {
     pub(super) fn paint(&self, canvas: &Canvas<'_, '_>) -> Result<()> {
-        let below_key = sample_row::paint(self, canvas, (16, 54))?;
+        let below_key = sample_row::paint(self.samples(), canvas, (16, 54))?;
         let room = Room {
             top: below_key + 8,
             right: 24,
@@ -92,6 +90,23 @@ impl ScatterChart {
             canvas.text(&dot.name, at, NAME_PX, color, pos)?;
         }
         Ok(())
+    }
+
+    /// What the key explains: what there is.
+    fn samples(&self) -> impl Iterator<Item = Sample<'_>> {
+        let dominated = self.dots.iter().any(|dot| !dot.on_front);
+        let interval = self
+            .dots
+            .iter()
+            .any(|dot| dot.x_range.or(dot.y_range).is_some());
+        let samples = [
+            Some(Sample::Front),
+            dominated.then_some(Sample::Dominated),
+            interval.then_some(Sample::Interval(self.interval)),
+        ];
+        let curves = self.curves.iter();
+        let curves = curves.map(|curve| Sample::Curve(curve.key, &curve.name));
+        samples.into_iter().flatten().chain(curves)
     }
 
     fn path(&self, frame: &Frame, dots: &[usize]) -> Vec<Px> {

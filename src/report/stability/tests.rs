@@ -1,7 +1,7 @@
 use super::fixture::{info, rows, write, write_picture};
-use super::{Counts, MATRIX_FILE, StressRun, write_stability};
+use super::{Counts, MATRIX_FILE, StressRun};
 use crate::record::stress::{DeclaredCause, ROWS_FILE, STRESS_FILE, StressInfo, StressMethod};
-use crate::report::{HTML_FILE, LegendEntry};
+use crate::report::{HTML_FILE, LegendEntry, write_stability};
 use std::fs;
 use tempfile::TempDir;
 

@@ -3,7 +3,8 @@
 use super::{compare, milet, milet_sheets, place, rows_like};
 use crate::record::{Cell, Summary};
 use crate::report::fixture::{paper_row, paper_run};
-use crate::report::paper::sheet::{Mask, Point, Sheet};
+use crate::report::paper::sheet::{Point, Sheet};
+use crate::report::paper::value::Mask;
 
 /// A point of table 1.
 fn triangles(number: u64) -> Point {
