@@ -17,6 +17,7 @@ use svbench::gpu::native::{
     Target, VertexInput,
 };
 use svbench::gpu::{FrameRecorder, FrameTimer, FrameTimes, Gpu, Ticket, readback, shader};
+use svbench::scene::{Light, Moment};
 
 const SIZE_PX: (u32, u32) = (96, 64);
 const PIXELS: usize = (SIZE_PX.0 * SIZE_PX.1) as usize;
@@ -26,7 +27,14 @@ fn resources(gpu: &Gpu) -> FrameResources {
     let light = Vec4::new(1.0, 9.0, 2.0, 1.0);
     let scene = scene_over_ground(&[triangle], 0.0, light, &view());
     let resources = FrameResources::new(gpu, &scene, SIZE_PX.0, SIZE_PX.1).unwrap();
-    resources.set_view(gpu, &view(), light);
+    let light = Light::at(light);
+    resources.set_view(
+        gpu,
+        &Moment {
+            view: view(),
+            light,
+        },
+    );
     resources
 }
 

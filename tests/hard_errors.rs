@@ -11,7 +11,7 @@ use svbench::frame::FrameResources;
 use svbench::judge::Verifier;
 use svbench::methods::{PrepareContext, Registry};
 use svbench::reference::{ReferenceCache, Verdict};
-use svbench::scene::{Scene, SphereGrid, View};
+use svbench::scene::{Moment, Scene, SphereGrid, View};
 
 /// Balls with a rough skin under a roof: as many outlines for the light as a scan has, all of them in shadow.
 fn rough_balls_under_a_roof() -> Scene {
@@ -66,7 +66,8 @@ fn no_specks_of_light_in_a_shadow() {
         eye: Vec3::new(x, y, z),
         ..view()
     });
-    let truths = views.map(|view| verifier.truth(&view).unwrap());
+    let light = scene.flight.at(0.0).light;
+    let truths = views.map(|view| verifier.truth(&Moment { view, light }).unwrap());
     let undecided = truths
         .each_ref()
         .map(|truth| truth.mask.count(Verdict::Ambiguous));

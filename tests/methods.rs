@@ -49,7 +49,7 @@ fn draw_all<'a>(
     let context = PrepareContext::new(gpu, scene, &stage);
     let cache = ReferenceCache::open(None);
     let verifier = Verifier::new(gpu, scene, &stage, &cache).unwrap();
-    let truth = verifier.truth(&scene.camera.view_at(0.0)).unwrap();
+    let truth = verifier.truth(&scene.flight.at(0.0)).unwrap();
     let draw = |method: &str| {
         let mut prepared = Registry::builtin()
             .parse(method)

@@ -6,7 +6,7 @@ use crate::judge::{Observer, Truth, Verifier};
 use crate::methods::{self, BiasSearch, PrepareContext};
 use crate::metrics::Label;
 use crate::record::{BiasRow, Cell};
-use crate::scene::CameraPath;
+use crate::scene::Flight;
 
 /// The first bias that is tried after none, in texels.
 const FIRST_BIAS: f64 = 0.25;
@@ -37,13 +37,13 @@ struct Trial {
 
 /// When on the flight biases are tried: midway between the verified frames, lest a map be fitted to the very
 /// frames that it is judged by.
-pub(super) fn times(plan: &RunPlan, camera: &CameraPath) -> Vec<f64> {
-    let mut verified_s = plan.verified_times(camera);
+pub(super) fn times(plan: &RunPlan, flight: &Flight) -> Vec<f64> {
+    let mut verified_s = plan.verified_times(flight);
     if verified_s.is_empty() {
-        verified_s = camera.frame_times(VIEWS as usize);
+        verified_s = flight.frame_times(VIEWS as usize);
     }
     let next_s = verified_s.iter().skip(1).copied();
-    let next_s = next_s.chain([camera.duration_s()]);
+    let next_s = next_s.chain([flight.duration_s()]);
     verified_s
         .iter()
         .zip(next_s)

@@ -53,7 +53,7 @@ struct Tag {
     warmup: bool,
 }
 
-/// Flies along the camera path, each cell that is ready on its stage, and keeps every measured frame, frames
+/// Flies along the scene's flight, each cell that is ready on its stage, and keeps every measured frame, frames
 /// later. A cell that breaks ends; where the device is lost, all ends. Frames that were measured already, on a
 /// device that was lost, are not measured again.
 pub(super) fn measure(
@@ -75,9 +75,9 @@ pub(super) fn measure(
     let mut order: Vec<usize> = flight.cells.iter().enumerate().filter_map(ready).collect();
     let mut drawn = 0;
     for (frame, time_s, warmup) in rounds(scene, schedule) {
-        let view = scene.camera.view_at(time_s);
+        let moment = scene.flight.at(time_s);
         for stage in stages {
-            stage.set_view(gpu, &view, scene.light);
+            stage.set_view(gpu, &moment);
         }
         order.shuffle(&mut shuffle);
         for &cell in &order {
@@ -107,7 +107,7 @@ pub(super) fn measure(
 
 /// Number and time of each round of frames, and whether it only warms up.
 fn rounds(scene: &Scene, schedule: Schedule) -> impl Iterator<Item = (u32, f64, bool)> {
-    let times_s = scene.camera.frame_times(schedule.frames as usize);
+    let times_s = scene.flight.frame_times(schedule.frames as usize);
     let start_s = times_s.first().copied().unwrap_or(0.0);
     let warmup = std::iter::repeat_n((0, start_s, true), schedule.warmup_frames as usize);
     let measured = (0..).zip(times_s);

@@ -102,8 +102,8 @@ impl Preparation<'_> {
         let truths = match &self.truths[stage] {
             Some(truths) => Rc::clone(truths),
             None => {
-                let times_s = bias_search::times(request.plan, &scene.camera).into_iter();
-                let truths = times_s.map(|s| verifier.truth(&scene.camera.view_at(s)));
+                let times_s = bias_search::times(request.plan, &scene.flight).into_iter();
+                let truths = times_s.map(|s| verifier.truth(&scene.flight.at(s)));
                 let truths: Rc<[Truth]> = truths.collect::<anyhow::Result<_>>()?;
                 Rc::clone(self.truths[stage].insert(truths))
             }

@@ -15,9 +15,8 @@ use crate::metrics;
 use crate::record::run_dir::RunDir;
 use crate::record::{EdgeRecord, MethodRecord, SceneRecord, Status, Summary};
 use crate::record::{RunDirError, in_one_line};
-use crate::scene::camera::FrameError;
 use crate::scene::file::MeshSource;
-use crate::scene::{Scene, SceneError};
+use crate::scene::{FrameError, Scene, SceneError};
 use anyhow::Context;
 
 /// What a scene's part of the run came to.
@@ -87,6 +86,7 @@ fn not_loaded(request: &RunRequest<'_>, plan: &ScenePlan, error: &anyhow::Error)
             mesh_hash: String::new(),
             light: [0.0; 3],
             light_w: 0.0,
+            light_moves: false,
             edges: None,
             status,
             reason,
@@ -99,17 +99,17 @@ fn not_loaded(request: &RunRequest<'_>, plan: &ScenePlan, error: &anyhow::Error)
 /// Looks at every view of the flight that the run will draw: nothing is measured of a flight that has frames
 /// without a picture.
 fn check_views(request: &RunRequest<'_>, scene: &Scene) -> Result<(), FrameError> {
-    let (plan, camera) = (request.plan, &scene.camera);
-    let measured_s = camera.frame_times(plan.frames as usize);
-    let mut verified_s = plan.verified_times(camera);
+    let (plan, flight) = (request.plan, &scene.flight);
+    let measured_s = flight.frame_times(plan.frames as usize);
+    let mut verified_s = plan.verified_times(flight);
     if plan
         .methods
         .iter()
         .any(|plan| plan.method.bias_search().is_some())
     {
-        verified_s.extend(bias_search::times(plan, camera));
+        verified_s.extend(bias_search::times(plan, flight));
     }
-    camera.check_times(measured_s.into_iter().chain(verified_s))
+    flight.check_times(measured_s.into_iter().chain(verified_s))
 }
 
 /// A scene that is being run.
@@ -275,14 +275,16 @@ fn edges(context: &PrepareContext<'_>) -> Option<EdgeRecord> {
 }
 
 fn scene_record(scene: &Scene, edges: Option<EdgeRecord>, failure: Option<String>) -> SceneRecord {
+    let light = scene.flight.at(0.0).light;
     SceneRecord {
         name: scene.name.clone(),
         title: scene.title.clone(),
         triangles: Some(scene.mesh.caster_triangle_count() as u64),
         objects: Some(scene.mesh.caster_object_count() as u64),
         mesh_hash: scene.mesh_hash.clone(),
-        light: scene.light.truncate().to_array(),
-        light_w: scene.light.w,
+        light: light.place.truncate().to_array(),
+        light_w: light.place.w,
+        light_moves: scene.flight.light.duration_s() > 0.0,
         edges,
         status: match failure {
             Some(_) => Status::Failed,

@@ -11,7 +11,7 @@ use crate::record::run_dir::RunDir;
 use crate::record::{Cell, FrameError, ImageKind, RegionRow, pairs_to_text};
 use crate::record::{RunDirError, in_one_line};
 use crate::reference::Motion;
-use crate::scene::{CameraPath, Scene};
+use crate::scene::{Flight, Scene};
 use anyhow::Context;
 
 /// How much later the next frame is whose errors are compared for flicker: one of 60 a second.
@@ -32,7 +32,7 @@ pub(super) fn verify_cells(
     dir: &mut RunDir,
 ) -> Result<(), RunDirError> {
     let size_px = request.plan.size_px;
-    let times_s = request.plan.verified_times(&scene.camera);
+    let times_s = request.plan.verified_times(&scene.flight);
     let is_used = |stage: usize| {
         let mut ready = cells.iter().filter(|run| run.prepared().is_some());
         ready.any(|run| run.stage == stage)
@@ -57,7 +57,7 @@ pub(super) fn verify_cells(
                 continue;
             }
             let place = format!("verifying at {time_s:.1} s of the flight");
-            let moment = match Moment::new(request, verifier, &scene.camera, time_s) {
+            let moment = match Verified::new(request, verifier, &scene.flight, time_s) {
                 Ok(moment) => moment,
                 Err(error) => {
                     let reason = in_one_line(&error.context(place));
@@ -92,7 +92,7 @@ pub(super) fn verify_cells(
 }
 
 /// A time on the flight, and the frame after it where flicker is looked for.
-struct Moment<'a> {
+struct Verified<'a> {
     verifier: &'a Verifier<'a>,
     truth: Truth,
     /// What is true in the next frame, and where what was seen has gone.
@@ -101,21 +101,21 @@ struct Moment<'a> {
     picture: Option<Vec<u8>>,
 }
 
-impl<'a> Moment<'a> {
+impl<'a> Verified<'a> {
     fn new(
         request: &RunRequest<'_>,
         verifier: &'a Verifier<'_>,
-        camera: &CameraPath,
+        flight: &Flight,
         time_s: f64,
     ) -> anyhow::Result<Self> {
         let verification = &request.plan.verification;
-        let truth = verifier.truth(&camera.view_at(time_s))?;
+        let truth = verifier.truth(&flight.at(time_s))?;
         let picture = verification
             .flip
             .then(|| verifier.true_picture(&truth))
             .transpose()?;
         // At the end of the flight there is no next frame, and the one before does as well.
-        let next_s = if time_s + FRAME_S <= camera.duration_s() {
+        let next_s = if time_s + FRAME_S <= flight.duration_s() {
             time_s + FRAME_S
         } else {
             (time_s - FRAME_S).max(0.0)
@@ -123,7 +123,7 @@ impl<'a> Moment<'a> {
         let next = verification
             .flicker
             .then(|| {
-                let next = verifier.truth(&camera.view_at(next_s))?;
+                let next = verifier.truth(&flight.at(next_s))?;
                 let motion = verifier.motion(&truth, &next)?;
                 Ok::<_, anyhow::Error>((next, motion))
             })
@@ -149,7 +149,7 @@ struct Judged {
 /// Judges one method at one moment.
 fn judge_cell(
     request: &RunRequest<'_>,
-    moment: &Moment<'_>,
+    moment: &Verified<'_>,
     frame: u32,
     run: &mut CellRun<'_>,
 ) -> anyhow::Result<Judged> {

@@ -11,7 +11,7 @@ pub use overrides::Overrides;
 pub use scene_lookup::{builtin_scenes, find_scene};
 
 use crate::methods::ShadowMethod;
-use crate::scene::{CameraPath, ModelSearch, SceneFile};
+use crate::scene::{Flight, ModelSearch, SceneFile};
 
 /// Why a configuration cannot be run. The message names file and place.
 #[derive(Debug, thiserror::Error)]
@@ -112,13 +112,13 @@ impl RunPlan {
     }
 
     /// When on the flight the frames are that are compared with the truth.
-    pub fn verified_times(&self, camera: &CameraPath) -> Vec<f64> {
+    pub fn verified_times(&self, flight: &Flight) -> Vec<f64> {
         match self.verification.frames {
             VerifiedFrames::Spread(count) => (0..count)
-                .map(|i| camera.duration_s() * (f64::from(i) + 0.5) / f64::from(count))
+                .map(|i| flight.duration_s() * (f64::from(i) + 0.5) / f64::from(count))
                 .collect(),
             VerifiedFrames::Every(step) => {
-                let measured = camera.frame_times(self.frames as usize);
+                let measured = flight.frame_times(self.frames as usize);
                 measured.into_iter().step_by(step as usize).collect()
             }
         }

@@ -31,7 +31,7 @@ pub use view::{FrameView, SceneExtents};
 pub use visible_triangles::VisibleTriangles;
 
 use crate::gpu::{DeviceError, FrameRecorder, Gpu, readback};
-use crate::scene::{Scene, View};
+use crate::scene::{Moment, Scene};
 use std::cell::Cell;
 use std::rc::Rc;
 
@@ -136,11 +136,11 @@ impl FrameResources {
     }
 
     /// Sets view and light of the frames recorded from now on.
-    pub fn set_view(&self, gpu: &Gpu, view: &View, light: glam::Vec4) -> FrameView {
+    pub fn set_view(&self, gpu: &Gpu, moment: &Moment) -> FrameView {
         let size_px = (self.targets.width, self.targets.height);
         let view = self
             .uniform
-            .write(gpu, view, light, &self.extents, size_px, self.depth);
+            .write(gpu, moment, &self.extents, size_px, self.depth);
         self.view.set(Some(view));
         view
     }

@@ -8,8 +8,7 @@ use crate::gpu::{Gpu, GpuError};
 use crate::methods::{self, MethodError, PrepareContext, ShadowMethod};
 use crate::record::in_one_line;
 use crate::reference::{ReferenceCache, ReferenceMask};
-use crate::scene::{Scene, View};
-use anyhow::Context;
+use crate::scene::{Moment, Scene};
 use std::cell::{OnceCell, RefCell};
 use std::rc::Rc;
 
@@ -119,7 +118,7 @@ impl Judge {
                     let known = match known {
                         Some(known) => known,
                         None => {
-                            truths.push((stage.depth, verifier.truth(&set.view)?));
+                            truths.push((stage.depth, verifier.truth(&set.moment)?));
                             truths.len() - 1
                         }
                     };
@@ -151,7 +150,7 @@ impl Judge {
         self.on_devices(scene, methods, |set, methods, masks| {
             for method in methods {
                 masks.push(set.prepared(method.as_ref(), |stage, prepared| {
-                    stage.set_view(&set.gpu, &set.view, scene.light);
+                    stage.set_view(&set.gpu, &set.moment);
                     stage.draw_mask(&set.gpu, prepared)
                 }));
                 if set.gpu.lost().is_some() {
@@ -189,8 +188,8 @@ impl Judge {
         scene: &'a Scene,
         methods: &[Box<dyn ShadowMethod>],
     ) -> anyhow::Result<Set<'a>> {
-        let view = scene.camera.view_at(0.0);
-        view.validate().context("camera")?;
+        let moment = scene.flight.at(0.0);
+        moment.validate()?;
         let gpu = self.gpu()?;
         let setups = methods.iter().map(|method| method.depth_setup());
         Ok(Set {
@@ -198,7 +197,7 @@ impl Judge {
             topology: Rc::default(),
             gpu,
             scene,
-            view,
+            moment,
         })
     }
 }
@@ -211,7 +210,7 @@ struct Set<'a> {
     gpu: Gpu,
     scene: &'a Scene,
     stages: Vec<FrameResources>,
-    view: View,
+    moment: Moment,
     topology: Rc<OnceCell<Topology>>,
 }
 

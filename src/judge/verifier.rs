@@ -12,9 +12,8 @@ use crate::reference::{
     BoundaryProbe, CacheKey, Motion, Reference, ReferenceCache, ReferenceMask, ReferenceView,
     Verdict,
 };
-use crate::scene::{Scene, View};
+use crate::scene::{Moment, Scene};
 use anyhow::Context;
-use glam::Vec4;
 use rayon::prelude::*;
 use std::rc::Rc;
 
@@ -29,13 +28,11 @@ pub struct Verifier<'a> {
     stage: &'a FrameResources,
     reference: Rc<Reference>,
     cache: &'a ReferenceCache,
-    /// The light of the pictures; at first the scene's.
-    pub light: Vec4,
 }
 
-/// What is true at one view.
+/// What is true at one moment.
 pub struct Truth {
-    camera: View,
+    moment: Moment,
     view: ReferenceView,
     triangle_ids: Vec<u32>,
     /// The verdict of each pixel.
@@ -94,7 +91,6 @@ impl<'a> Verifier<'a> {
             stage,
             reference: Rc::new(reference),
             cache,
-            light: scene.light,
         })
     }
 
@@ -107,19 +103,18 @@ impl<'a> Verifier<'a> {
         }
     }
 
-    /// The truth at `view`, from the cache or traced.
+    /// The truth at `moment`, from the cache or traced.
     ///
     /// # Errors
-    /// When the device is lost, memory is short, or there is no picture from that view.
-    pub fn truth(&self, view: &View) -> anyhow::Result<Truth> {
-        view.validate().context("camera")?;
-        let camera = *view;
+    /// When the device is lost, memory is short, or there is no picture of that moment.
+    pub fn truth(&self, moment: &Moment) -> anyhow::Result<Truth> {
+        moment.validate()?;
         let (width, height) = (self.stage.targets.width, self.stage.targets.height);
         memory::check(TRUTH_BYTES_PER_PIXEL * u64::from(width) * u64::from(height))
             .with_context(|| format!("the truth of {width} × {height} pixels is too large"))?;
         let FrameView {
             view_projection, ..
-        } = self.stage.set_view(self.gpu, view, self.light);
+        } = self.stage.set_view(self.gpu, moment);
         let ids = self.gpu.attempt(|| {
             let mut frame = FrameRecorder::untimed(self.gpu);
             self.stage.record_gbuffer(&mut frame);
@@ -132,12 +127,12 @@ impl<'a> Verifier<'a> {
             height,
             view_projection,
         };
-        let light = self.light;
+        let light = moment.light;
         let key = CacheKey::new(&self.scene.mesh_hash, light, &view, &triangle_ids);
         let trace = || self.reference.trace(light, &view, &triangle_ids);
         let mask = self.cache.get_or_trace(&key, &view, trace)?;
         Ok(Truth {
-            camera,
+            moment: *moment,
             edges: EdgeDistances::new(&mask),
             view,
             triangle_ids,
@@ -145,7 +140,7 @@ impl<'a> Verifier<'a> {
         })
     }
 
-    /// Draws the frame with `method` at the view of `truth`, and returns the mask: 0 lit to 255 in shadow.
+    /// Draws the frame with `method` at the moment of `truth`, and returns the mask: 0 lit to 255 in shadow.
     ///
     /// # Errors
     /// When the device is lost.
@@ -154,7 +149,7 @@ impl<'a> Verifier<'a> {
         method: &mut dyn PreparedMethod,
         truth: &Truth,
     ) -> anyhow::Result<Vec<u8>> {
-        self.stage.set_view(self.gpu, &truth.camera, self.light);
+        self.stage.set_view(self.gpu, &truth.moment);
         self.stage.draw_mask(self.gpu, method)
     }
 
@@ -172,9 +167,9 @@ impl<'a> Verifier<'a> {
     /// When the device is lost.
     pub fn true_picture(&self, truth: &Truth) -> anyhow::Result<Vec<u8>> {
         let gpu = self.gpu;
-        self.stage.set_view(gpu, &truth.camera, self.light);
-        let in_shadow = |verdict: &Verdict| u8::from(*verdict == Verdict::Shadowed) * u8::MAX;
-        let mask: Vec<u8> = truth.mask.verdicts.iter().map(in_shadow).collect();
+        self.stage.set_view(gpu, &truth.moment);
+        let in_shadow = |verdict: Verdict| u8::from(verdict == Verdict::Shadowed) * u8::MAX;
+        let mask: Vec<u8> = truth.mask.verdicts().map(in_shadow).collect();
         gpu.attempt(|| {
             let mut frame = FrameRecorder::untimed(gpu);
             self.stage.record_gbuffer(&mut frame);
@@ -198,7 +193,7 @@ impl<'a> Verifier<'a> {
         truth: &Truth,
         method: &dyn PreparedMethod,
     ) -> anyhow::Result<Judgement> {
-        let light = self.light;
+        let light = truth.moment.light;
         let wrong_px = wrong_px(mask, &truth.mask);
         let probe = BoundaryProbe::new(&self.reference, light, &truth.view, &truth.mask, wrong_px)?;
         let comparison = MaskComparison::new(mask, &truth.mask, |x, y| probe.near_boundary(x, y))?;
@@ -226,11 +221,17 @@ impl<'a> Verifier<'a> {
     /// When the view is no perspective.
     pub fn look(&self, truth: &Truth, pixels: &[usize]) -> anyhow::Result<Vec<PixelTruth>> {
         let (reference, mask) = (&self.reference, &truth.mask);
-        let probe = BoundaryProbe::new(reference, self.light, &truth.view, mask, pixels.len())?;
-        let evidence = reference.evidence(self.light, &truth.view, &truth.triangle_ids)?;
+        let probe = BoundaryProbe::new(
+            reference,
+            truth.moment.light,
+            &truth.view,
+            mask,
+            pixels.len(),
+        )?;
+        let evidence = reference.evidence(truth.moment.light, &truth.view, &truth.triangle_ids)?;
         let look = |&pixel: &usize| PixelTruth {
             triangle: truth.triangle_ids[pixel].checked_sub(1),
-            verdict: mask.verdicts[pixel],
+            verdict: mask.verdict(pixel),
             at_boundary: probe.near_boundary(pixel as u32 % mask.width, pixel as u32 / mask.width),
             at_seam: evidence.at_inner_edge(pixel, SEAM_STEPS),
         };
@@ -243,11 +244,13 @@ impl<'a> Verifier<'a> {
     /// # Errors
     /// When the view is no perspective.
     pub fn hard_errors(&self, mask: &[u8], truth: &Truth) -> anyhow::Result<Vec<usize>> {
-        let probe = self.reference.surroundings(self.light, &truth.view)?;
+        let probe = self
+            .reference
+            .surroundings(truth.moment.light, &truth.view)?;
         let width = truth.mask.width;
         let is_hard = |pixel: &usize| {
             let is_shadowed = MaskComparison::is_shadowed(mask[*pixel]);
-            let verdict = truth.mask.verdicts[*pixel];
+            let verdict = truth.mask.verdict(*pixel);
             let differs = |verdict| is_shadowed != (verdict == Verdict::Shadowed);
             (verdict == Verdict::Ambiguous || differs(verdict)) && {
                 let (x, y) = (*pixel as u32 % width, *pixel as u32 / width);
@@ -279,8 +282,8 @@ impl<'a> Verifier<'a> {
     pub fn flip(&self, truth: &Truth, true_picture: &[u8], picture: &[u8]) -> anyhow::Result<f64> {
         let mut expected = true_picture.to_vec();
         let pixels = expected.chunks_exact_mut(4).zip(picture.chunks_exact(4));
-        for ((expected, found), verdict) in pixels.zip(&truth.mask.verdicts) {
-            if *verdict == Verdict::Ambiguous {
+        for ((expected, found), verdict) in pixels.zip(truth.mask.verdicts()) {
+            if verdict == Verdict::Ambiguous {
                 expected.copy_from_slice(found);
             }
         }
@@ -291,10 +294,10 @@ impl<'a> Verifier<'a> {
 
 /// Pixels that are wrong, wherever.
 fn wrong_px(mask: &[u8], truth: &ReferenceMask) -> usize {
-    let is_wrong = |(value, verdict): &(&u8, &Verdict)| {
-        MaskComparison::is_shadowed(**value) != (**verdict == Verdict::Shadowed)
+    let is_wrong = |(value, verdict): &(&u8, Verdict)| {
+        MaskComparison::is_shadowed(**value) != (*verdict == Verdict::Shadowed)
     };
-    mask.iter().zip(&truth.verdicts).filter(is_wrong).count()
+    mask.iter().zip(truth.verdicts()).filter(is_wrong).count()
 }
 
 /// Which errors of a method's masks come or go from one view to the next.

@@ -133,7 +133,12 @@ fn light(scene: &SceneRecord) -> String {
     let [x, y, z] = scene.light;
     let is_directional = scene.light_w == 0.0;
     let kind = if is_directional { "towards" } else { "at" };
-    format!("{kind} ({x}, {y}, {z})")
+    let moves = if scene.light_moves {
+        " at the start; it moves"
+    } else {
+        ""
+    };
+    format!("{kind} ({x}, {y}, {z}){moves}")
 }
 
 fn methods(run: &Run) -> Table {
