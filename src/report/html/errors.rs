@@ -183,7 +183,7 @@ fn regions(run: &Run, scene: &str) -> Markup {
     };
     let table = Table::new("Largest regions of artifacts", columns);
     let summary = format!("Largest regions of artifacts ({shown} of {})", count(all));
-    details(summary, &table.extend(regions.into_iter().map(row)).html())
+    details(&summary, &table.extend(regions.into_iter().map(row)).html())
 }
 
 /// What ends acne, and what it costs; none where no bias was searched for.

@@ -19,7 +19,7 @@ pub(super) fn section(run: &Run, clouds: &[Cloud], plots: &[&Plot]) -> Option<Se
     let content = html! {
         (explanation(clouds.iter().any(|cloud| cloud.scene.is_none())))
         (figures(plots))
-        @for cloud in clouds { (details(title(cloud), &table(cloud).html())) }
+        @for cloud in clouds { (details(&title(cloud), &table(cloud).html())) }
     };
     (!clouds.is_empty()).then(|| Section::new("pareto", "Accuracy against speed", content))
 }

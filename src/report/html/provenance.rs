@@ -61,7 +61,7 @@ impl Origin<'_> {
             }
             (self.settings())
             (tables)
-            @if !self.config_text.is_empty() { (details(configuration, &text)) }
+            @if !self.config_text.is_empty() { (details(&configuration, &text)) }
         };
         Section::new("provenance", "Provenance", content)
     }

@@ -84,7 +84,7 @@ pub(super) fn banner(class: &str, lead: &str, rest: &str, items: &[Markup]) -> M
 }
 
 /// What is hidden until it is asked for.
-pub(super) fn details(summary: impl maud::Render, content: &Markup) -> Markup {
+pub(super) fn details(summary: &(impl maud::Render + ?Sized), content: &Markup) -> Markup {
     html! { details { summary { (summary) } (content) } }
 }
 
