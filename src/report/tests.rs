@@ -4,6 +4,8 @@ use std::fs;
 
 use tempfile::TempDir;
 
+mod exporters;
+
 use super::fixture::{HOSTILE, LEGEND, cell, info, made_up_run, samples, swept_run, write_run};
 use super::*;
 use crate::record::{
@@ -17,13 +19,13 @@ fn html_of(dir: &TempDir) -> String {
     let clouds = pareto::clouds(&run);
     let mut plots = plots::draw_pareto(&run, &clouds).unwrap();
     plots.extend(plots::draw(&run).unwrap());
-    html::page(&run, None, &clouds, &plots, &LEGEND).unwrap()
+    html::page(&run, &[], &clouds, &plots, &LEGEND).unwrap()
 }
 
 #[test]
 fn the_table_groups_by_scene_and_shows_times_errors_and_reasons() {
     let dir = made_up_run();
-    let table = table::markdown(&Run::read(dir.path()).unwrap());
+    let table = results::markdown(&Run::read(dir.path()).unwrap());
     let lines: Vec<&str> = table.lines().collect();
     assert!(
         lines[2].starts_with("| **grid_n10**, 1,000 tri, 4 obj"),
@@ -94,7 +96,7 @@ fn run_without_a_model() -> (TempDir, &'static str) {
 #[test]
 fn why_a_scene_was_skipped_is_said_once() {
     let (dir, reason) = run_without_a_model();
-    let table = table::markdown(&Run::read(dir.path()).unwrap());
+    let table = results::markdown(&Run::read(dir.path()).unwrap());
     let group = table
         .lines()
         .find(|line| line.contains("**sponza**"))
@@ -164,7 +166,7 @@ fn names_cannot_break_out_of_the_outputs() {
         "not escaped"
     );
     assert!(page.contains("&lt;script&gt;"));
-    let table = table::markdown(&Run::read(dir.path()).unwrap());
+    let table = results::markdown(&Run::read(dir.path()).unwrap());
     assert!(table.contains("a\\|b \\<img src=x>"), "{table}");
 }
 
@@ -191,7 +193,7 @@ fn banners_say_what_spoils_the_run() {
 fn every_plot_is_written_as_svg_and_png_and_nothing_half_written_stays() {
     let dir = made_up_run();
     write_all(dir.path(), &LEGEND).unwrap();
-    let plots = dir.path().join(PLOTS_DIR);
+    let plots = dir.path().join(plots::PLOTS_DIR);
     let names = [
         "pareto_all",
         "pareto_grid_n10",
@@ -395,7 +397,7 @@ fn the_page_shows_charts_errors_regions_and_biases() {
 fn what_an_earlier_report_said_of_accuracy_and_speed_goes_with_its_points() {
     let dir = made_up_run();
     write_all(dir.path(), &LEGEND).unwrap();
-    let plots = dir.path().join(PLOTS_DIR);
+    let plots = dir.path().join(plots::PLOTS_DIR);
     let (csv, all) = (dir.path().join("pareto.csv"), plots.join("pareto_all.png"));
     assert!(csv.is_file() && all.is_file());
     fs::write(
