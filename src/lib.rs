@@ -28,3 +28,4 @@ pub mod output;
 pub mod table;
 pub mod toml_array;
 pub mod toml_error;
+pub mod variant;

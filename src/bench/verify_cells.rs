@@ -12,6 +12,7 @@ use crate::record::{Cell, FrameError, ImageKind, RegionRow, pairs_to_text};
 use crate::record::{RunDirError, in_one_line};
 use crate::reference::Motion;
 use crate::scene::{CameraPath, Scene};
+use crate::variant::Variant;
 use anyhow::Context;
 
 /// How much later the next frame is whose errors are compared for flicker: one of 60 a second.
@@ -72,7 +73,11 @@ pub(super) fn verify_cells(
             if frame == 0 && stage == used[0] {
                 let grey = moment.truth.mask.to_grey();
                 let image = Image::grey(size_px, &grey);
-                dir.write_image((&scene.name, "", ""), ImageKind::Reference, &image)?;
+                dir.write_image(
+                    (&scene.name, "", &Variant::default()),
+                    ImageKind::Reference,
+                    &image,
+                )?;
             }
             for run in cells.iter_mut().filter(|run| waits(run)) {
                 if request.observer.interrupted() {
@@ -201,7 +206,7 @@ fn keep(
     let cell = &run.cell;
     if let Some(picture) = picture.filter(|_| frame == 0) {
         let size_px = request.plan.size_px;
-        let cell = (&*cell.scene, &*cell.method, &*cell.variant);
+        let cell = (&*cell.scene, &*cell.method, &cell.variant);
         let write = |kind, image: Image<'_>| dir.write_image(cell, kind, &image);
         write(ImageKind::Picture, Image::rgba(size_px, &picture))?;
         write(ImageKind::Mask, Image::grey(size_px, &mask))?;

@@ -8,6 +8,7 @@ use super::{
     ShadowMethod,
 };
 use crate::metrics::Label;
+use crate::variant::Variant;
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
 use std::fmt;
 use std::marker::PhantomData;
@@ -187,7 +188,7 @@ impl<K: MapKind> ShadowMethod for DepthMap<K> {
         K::info()
     }
 
-    fn variant(&self) -> String {
+    fn variant(&self) -> Variant {
         self.difference()
     }
 

@@ -28,6 +28,7 @@ use crate::frame::{DepthSetup, FrameResources};
 use crate::geometry::Topology;
 use crate::gpu::{DeviceError, FrameRecorder, Gpu, Requirement};
 use crate::scene::Scene;
+use crate::variant::Variant;
 use glam::DVec3;
 use serde::Serialize;
 use std::cell::OnceCell;
@@ -188,24 +189,17 @@ pub struct BiasSearch<'a> {
     pub with_bias: WithBias<'a>,
 }
 
-/// Id and variant of a method as they are written on the command line.
-pub fn full_name(id: &str, variant: &str) -> String {
-    let comma = if variant.is_empty() { "" } else { "," };
-    format!("{id}{comma}{variant}")
-}
-
 /// A method with its parameters.
 pub trait ShadowMethod {
     /// What it is.
     fn info(&self) -> &'static MethodInfo;
 
-    /// The parameters that differ from their defaults, `name=value` joined by commas; empty for
-    /// the default variant.
-    fn variant(&self) -> String;
+    /// The parameters that differ from their defaults.
+    fn variant(&self) -> Variant;
 
     /// Id and variant as they are written on the command line: `id,name=value`.
     fn name(&self) -> String {
-        full_name(self.info().id, &self.variant())
+        self.variant().full_name(self.info().id)
     }
 
     /// The depth buffer that its frames are to be drawn with.

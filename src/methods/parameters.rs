@@ -1,6 +1,7 @@
 //! Method parameters: typed fields, read from a table of a configuration or from a command line.
 
 use super::ShadowMethod;
+use crate::variant::{Variant, VariantError};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use std::ops::Range;
@@ -34,18 +35,20 @@ pub trait Parameters: Serialize + DeserializeOwned + Default {
     /// What is impossible, naming the parameter.
     fn validate(&self) -> Result<(), String>;
 
-    /// The parameters that are not at their defaults, `name=value` joined by commas.
-    fn difference(&self) -> String {
+    /// The parameters that are not at their defaults.
+    fn difference(&self) -> Variant {
         let defaults = fields(&Self::default());
-        fields(self)
-            .into_iter()
-            .filter(|(name, value)| defaults.get(name) != Some(value))
-            .map(|(name, value)| match value {
-                serde_json::Value::String(text) => format!("{name}={text}"),
-                value => format!("{name}={value}"),
-            })
-            .collect::<Vec<_>>()
-            .join(",")
+        let changed = fields(self).into_iter();
+        let changed = changed.filter(|(name, value)| defaults.get(name) != Some(value));
+        Variant::of(changed.map(|(name, value)| (name, text(&value))))
+    }
+}
+
+/// A value as variants write it.
+fn text(value: &serde_json::Value) -> String {
+    match value {
+        serde_json::Value::String(text) => text.clone(),
+        value => value.to_string(),
     }
 }
 
@@ -60,7 +63,7 @@ where
     check_known::<M>(table.get_ref())?;
     let method = read::<M>(table.get_ref().clone())
         .map_err(|error| blame::<M>(table.get_ref()).unwrap_or(error))?;
-    match method.validate() {
+    match method.validate().and_then(|()| check_text(&method)) {
         Ok(()) => Ok(Box::new(method)),
         Err(message) => Err(ParameterError {
             message,
@@ -75,6 +78,18 @@ fn read<M: Parameters>(table: DeTable<'_>) -> Result<M, ParameterError> {
         0..0,
         value,
     )))?)
+}
+
+/// Variants could not be told apart if a value had a comma.
+fn check_text<M: Parameters>(method: &M) -> Result<(), String> {
+    let fields = fields(method);
+    let mut fields = fields.iter().map(|(name, value)| (name, text(value)));
+    match fields.find(|(_, value)| value.contains(',')) {
+        Some((name, value)) => Err(format!(
+            "`{name}` is {value}; a value must not have a comma"
+        )),
+        None => Ok(()),
+    }
 }
 
 /// Serde cannot refuse unknown fields where a struct takes up another's.
@@ -128,11 +143,11 @@ pub fn parse_method(text: &str) -> Result<Box<dyn ShadowMethod>, ParameterError>
         span: None,
     };
     let registration = super::find(id).ok_or_else(|| plain(unknown_method(id)))?;
+    let variant: Variant = rest
+        .parse()
+        .map_err(|error: VariantError| plain(format!("method `{id}`: {error}")))?;
     let mut document = String::new();
-    for pair in rest.split(',').filter(|pair| !pair.is_empty()) {
-        let (key, value) = pair
-            .split_once('=')
-            .ok_or_else(|| plain(format!("`{pair}` in `{text}` is not of the form key=value")))?;
+    for (key, value) in variant.parameters() {
         match ValueDeserializer::parse(value) {
             Ok(_) => document.push_str(&format!("{key} = {value}\n")),
             Err(_) => document.push_str(&format!("{key} = {value:?}\n")),

@@ -9,6 +9,7 @@ use crate::frame::DepthSetup;
 use crate::gpu::Requirement;
 use crate::gpu::native::PrimitiveTopology;
 use crate::gpu::shader;
+use crate::variant::Variant;
 use serde::{Deserialize, Serialize};
 
 /// What the method is.
@@ -41,7 +42,7 @@ impl ShadowMethod for TriangleGs {
         &INFO
     }
 
-    fn variant(&self) -> String {
+    fn variant(&self) -> Variant {
         self.difference()
     }
 

@@ -8,6 +8,7 @@ use crate::frame::DepthSetup;
 use crate::gpu::Requirement;
 use crate::gpu::native::PrimitiveTopology;
 use crate::gpu::shader;
+use crate::variant::Variant;
 use serde::{Deserialize, Serialize};
 
 /// What the method is.
@@ -59,7 +60,7 @@ impl ShadowMethod for TriangleTs {
         &INFO
     }
 
-    fn variant(&self) -> String {
+    fn variant(&self) -> Variant {
         self.difference()
     }
 

@@ -1,5 +1,6 @@
 //! The rows of `errors.csv`, `regions.csv` and `bias.csv`: what is wrong with masks, where and how.
 
+use crate::variant::Variant;
 use serde::{Deserialize, Serialize};
 
 /// A mask held against the reference: a row of `errors.csv`, for each verified frame of each cell.
@@ -10,7 +11,7 @@ pub struct FrameError {
     /// Id of the method.
     pub method: String,
     /// Variant of the method.
-    pub variant: String,
+    pub variant: Variant,
     /// Width of the picture in pixels.
     pub width: u32,
     /// Height of the picture in pixels.
@@ -58,7 +59,7 @@ pub struct RegionRow {
     /// Id of the method.
     pub method: String,
     /// Variant of the method.
-    pub variant: String,
+    pub variant: Variant,
     /// Number of the frame among the verified ones, from zero.
     pub frame: u32,
     /// `false_lit` or `false_shadowed`.
@@ -85,7 +86,7 @@ pub struct BiasRow {
     /// Id of the method.
     pub method: String,
     /// Variant of the method, `slope_bias=search` in it.
-    pub variant: String,
+    pub variant: Variant,
     /// Side of the map in texels.
     pub resolution: u32,
     /// The bias that was found, in texels.

@@ -1,5 +1,6 @@
 //! The rows of `samples.csv` and `summary.csv`.
 
+use crate::variant::Variant;
 use serde::{Deserialize, Serialize};
 
 use super::{FrameError, Status, sum_of_counts};
@@ -17,7 +18,7 @@ pub struct Sample {
     /// Id of the method.
     pub method: String,
     /// Variant of the method.
-    pub variant: String,
+    pub variant: Variant,
     /// Width of the picture in pixels.
     pub width: u32,
     /// Height of the picture in pixels.
@@ -60,7 +61,7 @@ pub struct Cell {
     /// Id of the method.
     pub method: String,
     /// Variant of the method.
-    pub variant: String,
+    pub variant: Variant,
     /// Width of the picture in pixels.
     pub width: u32,
     /// Height of the picture in pixels.
@@ -82,7 +83,7 @@ pub struct Summary {
     /// Id of the method.
     pub method: String,
     /// Variant of the method.
-    pub variant: String,
+    pub variant: Variant,
     /// Width of the picture in pixels.
     pub width: u32,
     /// Height of the picture in pixels.

@@ -10,6 +10,7 @@ use super::{
 };
 use crate::output;
 use crate::table::{self, Table};
+use crate::variant::Variant;
 use anyhow::{Context, bail};
 use serde::Serialize;
 use std::fs::OpenOptions;
@@ -160,7 +161,7 @@ impl RunDir {
     /// Writes a picture of a cell.
     pub(crate) fn write_image(
         &self,
-        (scene, method, variant): (&str, &str, &str),
+        (scene, method, variant): (&str, &str, &Variant),
         kind: ImageKind,
         image: &super::Image<'_>,
     ) -> Result<(), RunDirError> {

@@ -43,7 +43,7 @@ impl Curve {
         Self {
             name: Contender {
                 method: contender.method.clone(),
-                variant: sweep.curve.clone(),
+                variant: sweep.curve.to_string(),
             },
             parameter: Some(sweep.parameter.clone()),
         }

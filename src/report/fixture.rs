@@ -78,7 +78,7 @@ pub(super) fn cell(info: &RunInfo, scene: &str, method: &str, triangles: u64) ->
         triangles: Some(triangles),
         objects: Some(4),
         method: method.to_owned(),
-        variant: String::new(),
+        variant: Default::default(),
         width: info.width,
         height: info.height,
         counters: String::new(),
@@ -240,7 +240,7 @@ pub(super) fn swept_run() -> TempDir {
                 512 << step
             };
             let sweep = SweepRecord {
-                curve: curve.to_owned(),
+                curve: curve.parse().unwrap(),
                 parameter: parameter.to_owned(),
                 value: f64::from(value),
             };
@@ -275,7 +275,7 @@ pub(super) fn swept_run() -> TempDir {
     let region = RegionRow {
         scene: "sponza".to_owned(),
         method: "shadow_map".to_owned(),
-        variant: "resolution=512".to_owned(),
+        variant: "resolution=512".parse().unwrap(),
         frame: 1,
         sign: "false_lit".to_owned(),
         label: "leak".to_owned(),
@@ -289,7 +289,7 @@ pub(super) fn swept_run() -> TempDir {
     let bias = BiasRow {
         scene: "sponza".to_owned(),
         method: "shadow_map".to_owned(),
-        variant: "slope_bias=search".to_owned(),
+        variant: "slope_bias=search".parse().unwrap(),
         resolution: 2048,
         slope_bias: 2.25,
         acne_px_unbiased: 4321.5,
@@ -305,7 +305,7 @@ pub(super) fn swept_run() -> TempDir {
 fn record(id: &str, variant: &str, sweep: Option<SweepRecord>) -> MethodRecord {
     MethodRecord {
         id: id.to_owned(),
-        variant: variant.to_owned(),
+        variant: variant.parse().unwrap(),
         sweep,
         ..MethodRecord::default()
     }

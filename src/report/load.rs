@@ -1,5 +1,6 @@
 //! A run, read back from its directory.
 
+use crate::variant::Variant;
 use std::path::{Path, PathBuf};
 
 use anyhow::Result;
@@ -94,7 +95,7 @@ impl Run {
     pub fn contenders(&self) -> Vec<Contender> {
         let listed = self.info.methods.iter().map(|method| Contender {
             method: method.id.clone(),
-            variant: method.variant.clone(),
+            variant: method.variant.to_string(),
         });
         unique(listed.chain(self.summaries.iter().map(|row| self.contender(row))))
     }
@@ -123,7 +124,7 @@ impl Run {
     /// The sweep that a contender is a point of.
     pub fn sweep_of(&self, contender: &Contender) -> Option<&SweepRecord> {
         let named = |record: &&MethodRecord| {
-            record.id == contender.method && record.variant == contender.variant
+            record.id == contender.method && record.variant.as_str() == contender.variant
         };
         self.info
             .methods
@@ -135,7 +136,7 @@ impl Run {
     /// Name of a picture in the folder of pictures; there may be none.
     ///
     /// Runs of versions that gave scenes of different names one picture have it shown under neither.
-    pub fn image(&self, scene: &str, method: &str, variant: &str, kind: ImageKind) -> String {
+    pub fn image(&self, scene: &str, method: &str, variant: &Variant, kind: ImageKind) -> String {
         let name = image_name(scene, method, variant, kind);
         let of = |scene: &str| earlier_image_name(scene, method, variant, kind);
         let earlier = of(scene);

@@ -1,5 +1,6 @@
 //! The outputs as a whole, over made-up run directories.
 
+use crate::variant::Variant;
 use std::fs;
 
 use tempfile::TempDir;
@@ -59,7 +60,7 @@ fn the_table_groups_by_scene_and_shows_times_errors_and_reasons() {
 fn run_without_a_model() -> (TempDir, &'static str) {
     let dir = tempfile::tempdir().unwrap();
     let mut info = info(&["grid_n10", "sponza"], &["silhouette_ts", "triangle_gs"]);
-    info.methods[1].variant = "counting=z_pass,determinism=none".to_owned();
+    info.methods[1].variant = "counting=z_pass,determinism=none".parse().unwrap();
     let reason = "the model crytek_sponza.obj is in none of the places searched: scenes/models";
     info.scenes[1].status = Status::Skipped;
     info.scenes[1].reason = reason.to_owned();
@@ -136,7 +137,12 @@ fn the_page_needs_nothing_else() {
     let images = dir.path().join(IMAGES_DIR);
     fs::create_dir(&images).unwrap();
     fs::write(
-        images.join(image_name("grid_n10", "fast", "", ImageKind::Mask)),
+        images.join(image_name(
+            "grid_n10",
+            "fast",
+            &Variant::default(),
+            ImageKind::Mask,
+        )),
         b"png",
     )
     .unwrap();
@@ -437,7 +443,12 @@ fn a_page_of_too_many_pictures_links_to_those_of_lesser_cells() {
     let images = dir.path().join(IMAGES_DIR);
     fs::create_dir(&images).unwrap();
     let picture = |method: &str, variant: &str, bytes: usize| {
-        let name = image_name("sponza", method, variant, ImageKind::Error);
+        let name = image_name(
+            "sponza",
+            method,
+            &variant.parse().unwrap(),
+            ImageKind::Error,
+        );
         fs::write(images.join(&name), vec![0; bytes]).unwrap();
         name
     };

@@ -13,6 +13,7 @@ use crate::frame::DepthSetup;
 use crate::gpu::Gpu;
 use crate::gpu::native::{PrimitiveTopology, Raster};
 use crate::gpu::shader::{self, Spirv};
+use crate::variant::Variant;
 use edges::{EdgePatches, EdgeRecords};
 use serde::{Deserialize, Serialize};
 use std::marker::PhantomData;
@@ -88,7 +89,7 @@ impl<S: SideStage> ShadowMethod for Silhouette<S> {
         S::info()
     }
 
-    fn variant(&self) -> String {
+    fn variant(&self) -> Variant {
         self.difference()
     }
 

@@ -218,7 +218,7 @@ fn region_row(region: &RegionRow) -> Markup {
     html! {
         tr {
             th.method scope="row" {
-                code { (region.method) } " " span.quiet { (breakable(&region.variant)) }
+                code { (region.method) } " " span.quiet { (breakable(region.variant.as_str())) }
             }
             td { (region.frame) }
             td { (count(region.size_px)) }

@@ -1,5 +1,6 @@
 //! The pictures: what every method drew, beside the reference and its errors.
 
+use crate::variant::Variant;
 use std::collections::HashSet;
 
 use anyhow::Result;
@@ -157,7 +158,7 @@ fn scene_gallery(
     let title = run.scene_title(scene);
     let reference = picture(
         run,
-        &run.image(scene, "", "", ImageKind::Reference),
+        &run.image(scene, "", &Variant::default(), ImageKind::Reference),
         "Reference mask",
         format!("{title}: shadow mask by the ray-traced reference"),
         true,

@@ -1,5 +1,6 @@
 //! From the rows of runs to the cells of the paper's tables.
 
+use crate::variant::Variant;
 use std::cmp::Reverse;
 
 use super::sheet::{Cell, Column, Mask, Sheet, Source};
@@ -60,11 +61,11 @@ fn of_run(spec: &Spec, points: &[Point], (device, source): (&str, Source), run: 
 
 /// The cells of the run's first variant that stands for the series and was measured at any point:
 /// variants are never mixed within a series.
-fn of_series(series: &Series, points: &[Point], run: &Run) -> (String, Vec<Option<Cell>>) {
+fn of_series(series: &Series, points: &[Point], run: &Run) -> (Variant, Vec<Option<Cell>>) {
     let listed = run.info.methods.iter();
-    let listed = listed.map(|method| (method.id.as_str(), method.variant.as_str()));
+    let listed = listed.map(|method| (method.id.as_str(), &method.variant));
     let rows = run.summaries.iter();
-    let rows = rows.map(|row| (row.method.as_str(), row.variant.as_str()));
+    let rows = rows.map(|row| (row.method.as_str(), &row.variant));
     for (method, variant) in listed.chain(rows) {
         if !series.is(method, variant) {
             continue;
@@ -72,17 +73,17 @@ fn of_series(series: &Series, points: &[Point], run: &Run) -> (String, Vec<Optio
         let at = |point: &Point| {
             run.summaries
                 .iter()
-                .filter(|row| (row.method.as_str(), row.variant.as_str()) == (method, variant))
+                .filter(|row| (row.method.as_str(), &row.variant) == (method, variant))
                 .filter(|row| (row.width, row.height) == (run.info.width, run.info.height))
                 .filter(|row| point.holds(row))
                 .find_map(|row| cell(row, run.info.frames))
         };
         let cells: Vec<Option<Cell>> = points.iter().map(at).collect();
         if cells.iter().any(Option::is_some) {
-            return (variant.to_owned(), cells);
+            return (variant.clone(), cells);
         }
     }
-    (String::new(), vec![None; points.len()])
+    (Variant::default(), vec![None; points.len()])
 }
 
 /// The row as a cell; `None` where it was not measured or broke.

@@ -1,5 +1,6 @@
 //! The paper's own numbers, from the files in `results/published` that come with the program.
 
+use crate::variant::Variant;
 use anyhow::{Context as _, Result, bail};
 use serde::Deserialize;
 
@@ -76,7 +77,7 @@ fn sheet(spec: &'static Spec) -> Result<Sheet> {
                 device: row.device.clone(),
                 source: Source::Paper,
                 cells: vec![vec![None; points.len()]; spec.series.len()],
-                variants: vec![String::new(); spec.series.len()],
+                variants: vec![Variant::default(); spec.series.len()],
                 runs: Vec::new(),
             });
             columns.len() - 1

@@ -2,6 +2,7 @@
 
 use super::spec::{Point, Spec};
 use crate::report::format::{count, ms, paper_fps};
+use crate::variant::Variant;
 
 /// A table with a group of columns for each device.
 #[derive(Debug, Clone)]
@@ -24,7 +25,7 @@ pub struct Column {
     /// By series, then by point; `None` where nothing was measured.
     pub cells: Vec<Vec<Option<Cell>>>,
     /// By series: the variant measured; empty where it is the default.
-    pub variants: Vec<String>,
+    pub variants: Vec<Variant>,
     /// The run directories that its cells come from; none for the paper.
     pub runs: Vec<String>,
 }

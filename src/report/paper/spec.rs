@@ -4,6 +4,7 @@
 //! **points** (where: numbers of triangles, numbers of objects, scenes). Which of the two are its
 //! rows is a matter of layout. The points come from the published numbers themselves.
 
+use crate::variant::Variant;
 use serde::{Deserialize, Serialize};
 
 use crate::record::Summary;
@@ -141,25 +142,18 @@ impl Point {
 
 impl Series {
     /// Whether a method in this variant stands for the series.
-    pub(super) fn is(&self, method: &str, variant: &str) -> bool {
-        let has = |wanted: &Parameter| {
-            let named = variant
-                .split(',')
-                .filter_map(|part| part.trim().split_once('='))
-                .find_map(|(name, value)| (name == wanted.name).then_some(value));
-            named.unwrap_or(wanted.default) == wanted.value
-        };
+    pub(super) fn is(&self, method: &str, variant: &Variant) -> bool {
+        let has =
+            |wanted: &Parameter| variant.get(wanted.name).unwrap_or(wanted.default) == wanted.value;
         self.method == method && self.needs.as_ref().is_none_or(has)
     }
 
     /// What a variant says besides what makes it this series.
-    pub(super) fn besides(&self, variant: &str) -> String {
-        let needed = self.needs.as_ref().map(|parameter| parameter.name);
-        let name = |part: &str| part.split_once('=').map(|(name, _)| name.to_owned());
-        let rest = variant
-            .split(',')
-            .filter(|part| name(part).as_deref() != needed);
-        rest.collect::<Vec<_>>().join(",")
+    pub(super) fn besides(&self, variant: &Variant) -> Variant {
+        match &self.needs {
+            Some(parameter) => variant.without(parameter.name),
+            None => variant.clone(),
+        }
     }
 }
 

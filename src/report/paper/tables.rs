@@ -79,7 +79,7 @@ impl Sheet {
             record_ms_median: cell.and_then(|cell| cell.record_ms),
             draw_calls: cell.and_then(|cell| cell.draw_calls),
             svbench_method: if measured { what.method } else { "" },
-            variant: &column.variants[series],
+            variant: column.variants[series].as_str(),
             run: cell.map_or("", |cell| column.run_of(cell)),
         }
     }

@@ -123,7 +123,7 @@ fn row(run: &StressRun, line: &Line<'_>, method: &StressMethod, cell: &Cell<'_>)
         tr {
             th.stay scope="row" {
                 code { (method.id) }
-                @if !method.variant.is_empty() { small { (method.variant.replace(',', ", ")) } }
+                @if !method.variant.is_empty() { small { (method.variant.as_str().replace(',', ", ")) } }
             }
             @for &value in &line.cause.values {
                 @if let Some(row) = at(value) { (value_cell(row, first == Some(value))) }

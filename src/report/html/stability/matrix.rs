@@ -62,8 +62,8 @@ fn head(method: &StressMethod) -> Markup {
     html! {
         th scope="col" {
             code { (breakable(&method.id)) }
-            @for pair in method.variant.split(',').filter(|pair| !pair.is_empty()) {
-                small { (breakable(pair)) }
+            @for (name, value) in method.variant.parameters() {
+                small { (breakable(&format!("{name}={value}"))) }
             }
         }
     }

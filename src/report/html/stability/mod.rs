@@ -172,7 +172,7 @@ fn methods(methods: &[StressMethod]) -> Markup {
                     @for method in methods {
                         tr {
                             th.text scope="row" { code { (method.id) } }
-                            td.text { (method.variant.replace(',', ", ")) }
+                            td.text { (method.variant.as_str().replace(',', ", ")) }
                             td { (short(method.tolerated_share)) }
                         }
                     }

@@ -6,6 +6,7 @@ use crate::record::{Cell, Summary};
 use crate::report::fixture::{info, paper_row};
 use crate::report::groups::group;
 use crate::report::load::Run;
+use crate::variant::Variant;
 
 mod ledger;
 mod tables;
@@ -25,9 +26,9 @@ fn place(series: &Series, point: Point) -> Cell {
         objects: Some(objects),
         method: series.method.to_owned(),
         variant: if consistent {
-            "determinism=consistent_triangle".to_owned()
+            "determinism=consistent_triangle".parse().unwrap()
         } else {
-            String::new()
+            Variant::default()
         },
         width: info(&[], &[]).width,
         height: info(&[], &[]).height,
