@@ -11,6 +11,7 @@ mod flicker;
 mod flip;
 mod labels;
 mod mask_error;
+mod metric;
 mod regions;
 
 #[cfg(test)]
@@ -27,4 +28,5 @@ pub use flicker::Flicker;
 pub use flip::{PictureSizeError, mean_flip};
 pub use labels::{Analysis, FrameContext, Label, SEAM_STEPS, TexelLookup, analyse};
 pub use mask_error::{MaskComparison, MaskError, MaskSizeError, PixelResult, Place, undecided};
+pub use metric::{Compute, Findings, METRICS, Metric, MetricValues, OverFrames, find_metric};
 pub use regions::{Region, Sign};
