@@ -6,7 +6,7 @@ use crate::frame::{GBUFFER_STAGE, SHADE_STAGE};
 use crate::methods::{MethodError, PreparedMethod, ShadowMethod};
 use crate::record::in_one_line;
 use crate::record::{
-    Cell, FrameError, MethodRecord, Sample, Status, Summary, SweepRecord, pairs_to_text,
+    Cell, MethodRecord, Sample, StageMs, Status, Summary, SweepRecord, VerifiedFrame,
 };
 use crate::scene::Scene;
 
@@ -21,7 +21,7 @@ pub(super) struct CellRun<'a> {
     pub bias: Option<f64>,
     /// What a reader of its results should know.
     pub warnings: Vec<String>,
-    pub errors: Vec<FrameError>,
+    pub verified: Vec<VerifiedFrame>,
     pub samples: Vec<Sample>,
     pub stages: Vec<String>,
 }
@@ -63,7 +63,7 @@ impl<'a> CellRun<'a> {
             stage: 0,
             bias: None,
             warnings: Vec::new(),
-            errors: Vec::new(),
+            verified: Vec::new(),
             samples: Vec::new(),
             stages: Vec::new(),
         }
@@ -86,7 +86,8 @@ impl<'a> CellRun<'a> {
     pub(super) fn ready(&mut self, prepared: Result<Box<dyn PreparedMethod>, MethodError>) {
         match prepared {
             Ok(prepared) => {
-                self.cell.counters = pairs_to_text(prepared.counters());
+                let counters = prepared.counters().into_iter();
+                self.cell.counters = counters.map(|(n, count)| (n.to_owned(), count)).collect();
                 self.warnings = prepared.warnings();
                 self.state = State::Ready(prepared);
             }
@@ -124,8 +125,12 @@ impl<'a> CellRun<'a> {
         let own = times
             .stages
             .iter()
-            .copied()
             .filter(|(name, _)| ![GBUFFER_STAGE, SHADE_STAGE].contains(name));
+        let stage = |(name, ms): &(&str, f64)| StageMs {
+            stage: (*name).to_owned(),
+            device_ms: *ms,
+            cpu_ms: 0.0,
+        };
         Sample {
             scene: self.cell.scene.clone(),
             triangles: self.cell.triangles.unwrap_or(0),
@@ -144,7 +149,9 @@ impl<'a> CellRun<'a> {
             cpu_ms: times.cpu_ms,
             record_ms: times.record_ms,
             draw_calls: times.draw_calls,
-            stages: pairs_to_text(own),
+            shadow_device_ms: measured.shadow_ms(),
+            shadow_cpu_ms: 0.0,
+            stages: own.map(stage).collect(),
         }
     }
 
@@ -178,6 +185,6 @@ impl<'a> CellRun<'a> {
             _ if !verified => (Status::Unverified, ""),
             _ => (Status::Ok, ""),
         };
-        Summary::from_samples(&self.cell, &self.samples, &self.errors, status, reason)
+        Summary::from_samples(&self.cell, &self.samples, &self.verified, status, reason)
     }
 }

@@ -237,6 +237,19 @@ mod tests {
     }
 
     #[test]
+    fn the_contract_lists_every_metric() {
+        let contract = include_str!("../../FORMAT.md");
+        for metric in METRICS.iter().copied().flatten() {
+            let over_frames = format!("{:?}", metric.over_frames).to_lowercase();
+            let Metric {
+                name, unit, words, ..
+            } = metric;
+            let row = format!("| `{name}` | {unit} | {over_frames} | {words} |");
+            assert!(contract.contains(&row), "FORMAT.md has no line {row}");
+        }
+    }
+
+    #[test]
     fn every_metric_has_a_name_of_its_own() {
         let names: Vec<_> = METRICS.iter().copied().flatten().map(|m| m.name).collect();
         let apart: std::collections::BTreeSet<_> = names.iter().collect();

@@ -5,11 +5,13 @@ use std::fs;
 
 use tempfile::TempDir;
 
-use super::fixture::{HOSTILE, LEGEND, cell, info, made_up_run, samples, swept_run, write_run};
+use super::fixture::{
+    HOSTILE, LEGEND, cell, counted, info, made_up_run, samples, swept_run, write_rows, write_run,
+};
 use super::*;
 use crate::record::{
-    FrameError, IMAGES_DIR, ImageKind, RUN_FILE, RunStatus, SAMPLES_FILE, SUMMARY_FILE, Status,
-    Summary, image_name,
+    IMAGES_DIR, ImageKind, METRICS_FILE, RUN_FILE, RunStatus, SAMPLES_FILE, SUMMARY_FILE, Status,
+    Summary, VerifiedFrame, image_name, metric_rows,
 };
 
 /// The page alone: PNGs take most of a report's time, and few tests read them.
@@ -69,7 +71,7 @@ fn run_without_a_model() -> (TempDir, &'static str) {
         let mut measured = cell(&info, "grid_n10", &method.id, 1000);
         measured.variant = method.variant.clone();
         let own = samples(&measured, 2.0);
-        let errors = [FrameError::default()];
+        let errors = [counted(0, 0, 0, 0, 0)];
         summaries.push(Summary::from_samples(
             &measured,
             &own,
@@ -425,13 +427,24 @@ fn a_verified_scene_with_a_hostile_name_is_escaped_in_chart_and_tables() {
     let info = info(&[HOSTILE], &[HOSTILE]);
     let cell = cell(&info, HOSTILE, HOSTILE, 10);
     let own = samples(&cell, 2.0);
-    let wrong = FrameError {
-        false_lit: 5,
-        labels: format!("{HOSTILE}=5"),
-        ..FrameError::default()
+    let found = [(format!("label.{HOSTILE}"), 5.0)];
+    let counts = counted(5, 0, 0, 0, 0);
+    let counts = counts
+        .metrics
+        .iter()
+        .map(|(name, value)| (name.to_owned(), value));
+    let wrong = VerifiedFrame {
+        scene: cell.scene.clone(),
+        method: cell.method.clone(),
+        width: cell.width,
+        height: cell.height,
+        metrics: counts.chain(found).collect(),
+        ..VerifiedFrame::default()
     };
+    let rows = metric_rows([&wrong]);
     let summary = Summary::from_samples(&cell, &own, &[wrong], Status::Ok, "");
     write_run(dir.path(), &info, &own, &[summary]);
+    write_rows(dir.path(), METRICS_FILE, &rows);
     let page = html_of(&dir);
     assert!(page.contains("id=\"pareto\"") && page.contains("id=\"errors\""));
     assert!(!page.contains("<script"), "not escaped");

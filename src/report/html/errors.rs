@@ -4,7 +4,8 @@ use maud::{Markup, html};
 
 use super::or_dash;
 use super::results::breakable;
-use crate::record::{RegionRow, Summary, pairs_from_text};
+use crate::metrics::MetricValues;
+use crate::record::{RegionRow, Summary};
 use crate::report::format::{count, px_per_frame};
 use crate::report::load::Run;
 
@@ -95,10 +96,11 @@ fn row(run: &Run, row: &Summary) -> Markup {
         .false_lit
         .zip(row.false_shadowed)
         .map(|(lit, shadowed)| lit + shadowed);
-    let shares = shares(&row.distances);
-    let flicker = row
-        .flicker_px
-        .zip(row.followed_px)
+    let shares = shares(&row.metrics);
+    let metrics = &row.metrics;
+    let flicker = metrics
+        .px("flicker_px")
+        .zip(metrics.px("followed_px"))
         .filter(|(_, followed)| *followed > 0);
     let flicker = flicker.map(|(flicker, followed)| px_per_million(flicker, followed));
     html! {
@@ -116,10 +118,10 @@ fn row(run: &Run, row: &Summary) -> Markup {
             @for index in 0..CLASSES_PX.len() {
                 td { (or_dash(shares.map(|shares| format!("{:.0} %", floor_percent(shares[index]))))) }
             }
-            td { (or_dash(row.distance_px_max.map(|far| format!("{far:.1}")))) }
+            td { (or_dash(metrics.get("distance_px_max").map(|far| format!("{far:.1}")))) }
             td.text { (or_dash(kinds(row))) }
             td { (or_dash(flicker)) }
-            td { (or_dash(row.flip_mean.map(|flip| format!("{flip:.4}")))) }
+            td { (or_dash(metrics.get("flip").map(|flip| format!("{flip:.4}")))) }
         }
     }
 }
@@ -135,8 +137,8 @@ fn px_per_million(px: u64, of_px: u64) -> String {
 }
 
 /// The share of wrong pixels within each of [`CLASSES_PX`]; `None` where none has a distance.
-fn shares(distances: &str) -> Option<[f64; CLASSES_PX.len()]> {
-    let classes = pairs_from_text::<u64>(distances);
+fn shares(metrics: &MetricValues) -> Option<[f64; CLASSES_PX.len()]> {
+    let classes: Vec<(&str, u64)> = metrics.classes("distance").collect();
     let all: u64 = classes.iter().map(|(_, px)| px).sum();
     // The class `more` has no upper end, and so is within none.
     let within = |limit: f64| {
@@ -174,7 +176,7 @@ fn bar(shares: Option<[f64; CLASSES_PX.len()]>) -> Markup {
 
 /// The kinds of error by their pixels, the most first; `None` where nothing was labelled.
 fn kinds(row: &Summary) -> Option<String> {
-    let mut kinds = pairs_from_text::<u64>(&row.labels);
+    let mut kinds: Vec<(&str, u64)> = row.metrics.classes("label").collect();
     kinds.retain(|(_, px)| *px > 0);
     kinds.sort_by_key(|(_, px)| std::cmp::Reverse(*px));
     let text =
@@ -186,8 +188,8 @@ fn kinds(row: &Summary) -> Option<String> {
 fn regions(run: &Run, scene: &str) -> Markup {
     let mut regions: Vec<&RegionRow> = run.regions.iter().filter(|r| r.scene == scene).collect();
     regions.sort_by_key(|region| std::cmp::Reverse(region.size_px));
-    let errors = run.errors.iter().filter(|error| error.scene == scene);
-    let all: u64 = errors.map(|error| error.regions).sum();
+    let frames = run.frames.iter().filter(|frame| frame.scene == scene);
+    let all: u64 = frames.map(|frame| frame.px("regions")).sum();
     regions.truncate(MAX_REGIONS);
     html! {
         @if !regions.is_empty() {
@@ -236,8 +238,17 @@ mod tests {
 
     #[test]
     fn shares_add_up_and_what_is_beyond_is_within_none() {
-        assert_eq!(shares("1=5;2=2;4=1;8=1;more=1"), Some([0.5, 0.8, 0.9]));
-        assert_eq!(shares("1=0;more=0"), None);
-        assert_eq!(shares(""), None);
+        let classes = |px: &[(&str, f64)]| px.iter().copied().collect();
+        let found = [
+            ("distance.1", 5.0),
+            ("distance.2", 2.0),
+            ("distance.4", 1.0),
+            ("distance.8", 1.0),
+            ("distance.more", 1.0),
+        ];
+        assert_eq!(shares(&classes(&found)), Some([0.5, 0.8, 0.9]));
+        let none = [("distance.1", 0.0), ("distance.more", 0.0)];
+        assert_eq!(shares(&classes(&none)), None);
+        assert_eq!(shares(&classes(&[])), None);
     }
 }

@@ -4,7 +4,7 @@ use maud::{Markup, PreEscaped, html};
 
 use super::or_dash;
 use crate::record::statistics::median;
-use crate::record::{Summary, pairs_from_text};
+use crate::record::{Summary, summary_records};
 use crate::report::format::{count, fps, ms, px_per_frame};
 use crate::report::load::Run;
 use crate::report::table::status;
@@ -192,10 +192,11 @@ fn stage_times(run: &Run) -> Markup {
 fn stage_medians(run: &Run, row: &Summary) -> Vec<(String, f64)> {
     let mut stages: Vec<(String, Vec<f64>)> = Vec::new();
     for sample in run.samples_of(row) {
-        for (name, stage_ms) in pairs_from_text::<f64>(&sample.stages) {
-            match stages.iter_mut().find(|(known, _)| known == name) {
+        for stage in &sample.stages {
+            let stage_ms = stage.device_ms + stage.cpu_ms;
+            match stages.iter_mut().find(|(known, _)| *known == stage.stage) {
                 Some((_, all)) => all.push(stage_ms),
-                None => stages.push((name.to_owned(), vec![stage_ms])),
+                None => stages.push((stage.stage.clone(), vec![stage_ms])),
             }
         }
     }
@@ -207,18 +208,10 @@ fn stage_medians(run: &Run, row: &Summary) -> Vec<(String, f64)> {
 
 /// Every row and column of the summary, unrounded.
 fn all_figures(run: &Run) -> Markup {
-    let mut writer = csv::WriterBuilder::new()
-        .has_headers(true)
-        .from_writer(Vec::new());
-    for row in &run.summaries {
-        // Writing plain rows to memory cannot fail; a row that did would only be missing here.
-        let _ = writer.serialize(row);
-    }
-    let bytes = writer.into_inner().unwrap_or_default();
-    let mut reader = csv::ReaderBuilder::new()
-        .has_headers(false)
-        .from_reader(bytes.as_slice());
-    let mut records = reader.records().flatten();
+    // Rows in memory cannot fail to be written; one that did would only be missing here.
+    let mut records = summary_records(&run.summaries)
+        .unwrap_or_default()
+        .into_iter();
     let head = records.next().unwrap_or_default();
     html! {
         details {

@@ -8,11 +8,10 @@ use crate::output::write_atomically;
 use anyhow::Result;
 use std::path::{Path, PathBuf};
 
-mod load;
 mod matrix;
 mod text;
 
-pub use load::StressRun;
+pub use crate::record::StressRun;
 pub use matrix::{Cell, Counts, Failure, Line, Matrix, Unseen};
 
 /// Name of the Markdown matrix in the directory of a stress run.

@@ -32,7 +32,7 @@ fn place(series: &Series, point: Point) -> Cell {
         },
         width: info(&[], &[]).width,
         height: info(&[], &[]).height,
-        counters: String::new(),
+        counters: Vec::new(),
     }
 }
 

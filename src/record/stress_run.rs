@@ -1,8 +1,8 @@
 //! A stress run, read back from its directory.
 
-use crate::record::check_files;
-use crate::record::read::{Head, read_head, read_lines};
-use crate::record::stress::{FORMAT, ROWS_FILE, STRESS_FILE, StressInfo, StressMethod, StressRow};
+use super::check_files;
+use super::read::{Head, read_head, read_lines};
+use super::stress::{FORMAT, ROWS_FILE, STRESS_FILE, StressInfo, StressMethod, StressRow};
 use anyhow::{Result, bail};
 use std::path::{Path, PathBuf};
 
