@@ -55,6 +55,7 @@ pub struct MetricRow {
 }
 
 /// A whole number is written as one.
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde passes references")]
 fn plain<S: Serializer>(value: &f64, serializer: S) -> Result<S::Ok, S::Error> {
     const EXACT: f64 = 9_007_199_254_740_992.0;
     if value.fract() == 0.0 && value.abs() < EXACT {
