@@ -4,10 +4,11 @@ use super::measure::Measured;
 use crate::config::MethodPlan;
 use crate::frame::PreparedMethod;
 use crate::frame::{GBUFFER_STAGE, SHADE_STAGE};
+use crate::gpu::StageTime;
 use crate::methods::{MethodError, ShadowMethod};
 use crate::record::in_one_line;
 use crate::record::{
-    Cell, FrameError, MethodRecord, Sample, Status, Summary, SweepRecord, pairs_to_text,
+    Cell, MethodRecord, Sample, StageMs, Status, Summary, SweepRecord, VerifiedFrame,
 };
 use crate::scene::Scene;
 
@@ -22,7 +23,7 @@ pub(super) struct CellRun<'a> {
     pub bias: Option<f64>,
     /// What a reader of its results should know.
     pub warnings: Vec<String>,
-    pub errors: Vec<FrameError>,
+    pub verified: Vec<VerifiedFrame>,
     pub samples: Vec<Sample>,
     pub stages: Vec<String>,
 }
@@ -64,7 +65,7 @@ impl<'a> CellRun<'a> {
             stage: 0,
             bias: None,
             warnings: Vec::new(),
-            errors: Vec::new(),
+            verified: Vec::new(),
             samples: Vec::new(),
             stages: Vec::new(),
         }
@@ -95,7 +96,8 @@ impl<'a> CellRun<'a> {
     pub(super) fn ready(&mut self, prepared: Result<Box<dyn PreparedMethod>, MethodError>) {
         match prepared {
             Ok(prepared) => {
-                self.cell.counters = pairs_to_text(prepared.counters());
+                let counters = prepared.counters().into_iter();
+                self.cell.counters = counters.map(|(n, count)| (n.to_owned(), count)).collect();
                 self.warnings = prepared.warnings();
                 self.state = State::Ready(prepared);
             }
@@ -130,10 +132,16 @@ impl<'a> CellRun<'a> {
     /// The row of a measured frame.
     pub(super) fn sample(&self, measured: &Measured) -> Sample {
         let times = &measured.times;
-        let own = times.stages.iter().map(|stage| stage.name);
-        let own = own
-            .filter(|name| ![GBUFFER_STAGE, SHADE_STAGE].contains(name))
-            .map(|name| (name, times.stage_ms(name)));
+        let own = times
+            .stages
+            .iter()
+            .filter(|stage| ![GBUFFER_STAGE, SHADE_STAGE].contains(&stage.name));
+        let sum = |time: fn(&StageTime) -> f64| own.clone().map(time).sum();
+        let stage = |stage: &StageTime| StageMs {
+            stage: stage.name.to_owned(),
+            device_ms: stage.device_ms,
+            cpu_ms: stage.processor_ms,
+        };
         Sample {
             scene: self.cell.scene.clone(),
             triangles: self.cell.triangles.unwrap_or(0),
@@ -152,7 +160,9 @@ impl<'a> CellRun<'a> {
             cpu_ms: times.cpu_ms,
             record_ms: times.record_ms,
             draw_calls: times.draw_calls,
-            stages: pairs_to_text(own),
+            shadow_device_ms: sum(|stage| stage.device_ms),
+            shadow_cpu_ms: sum(|stage| stage.processor_ms),
+            stages: own.clone().map(stage).collect(),
         }
     }
 
@@ -186,6 +196,6 @@ impl<'a> CellRun<'a> {
             _ if !verified => (Status::Unverified, ""),
             _ => (Status::Ok, ""),
         };
-        Summary::from_samples(&self.cell, &self.samples, &self.errors, status, reason)
+        Summary::from_samples(&self.cell, &self.samples, &self.verified, status, reason)
     }
 }

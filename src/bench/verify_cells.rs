@@ -5,13 +5,14 @@ use super::cell::CellRun;
 use crate::gpu::Gpu;
 use crate::judge::Verifier;
 use crate::judge::{Judgement, Truth, flicker};
-use crate::metrics::Flicker;
+use crate::metrics::{Findings, METRICS, MetricValues};
 use crate::record::Image;
 use crate::record::run_dir::RunDir;
-use crate::record::{Cell, FrameError, ImageKind, RegionRow, pairs_to_text};
+use crate::record::{Cell, ImageKind, RegionRow, VerifiedFrame};
 use crate::record::{RunDirError, in_one_line};
 use crate::reference::Motion;
 use crate::scene::{Flight, Scene};
+use crate::variant::Variant;
 use anyhow::Context;
 
 /// How much later the next frame is whose errors are compared for flicker: one of 60 a second.
@@ -51,7 +52,9 @@ pub(super) fn verify_cells(
                 scene.name
             ));
             let waits = |run: &CellRun<'_>| {
-                run.stage == stage && run.prepared().is_some() && run.errors.len() <= frame as usize
+                run.stage == stage
+                    && run.prepared().is_some()
+                    && run.verified.len() <= frame as usize
             };
             if !cells.iter().any(waits) {
                 continue;
@@ -72,7 +75,11 @@ pub(super) fn verify_cells(
             if frame == 0 && stage == used[0] {
                 let grey = moment.truth.mask.to_grey();
                 let image = Image::grey(size_px, &grey);
-                dir.write_image((&scene.name, "", ""), ImageKind::Reference, &image)?;
+                dir.write_image(
+                    (&scene.name, "", &Variant::default()),
+                    ImageKind::Reference,
+                    &image,
+                )?;
             }
             for run in cells.iter_mut().filter(|run| waits(run)) {
                 if request.observer.interrupted() {
@@ -142,8 +149,7 @@ struct Judged {
     mask: Vec<u8>,
     picture: Option<Vec<u8>>,
     judgement: Judgement,
-    flicker: Option<Flicker>,
-    flip: Option<f64>,
+    metrics: MetricValues,
 }
 
 /// Judges one method at one moment.
@@ -174,12 +180,20 @@ fn judge_cell(
         (Some(truth), Some(picture)) => Some(verifier.flip(&moment.truth, truth, picture)?),
         _ => None,
     };
+    let findings = Findings {
+        mask: &mask,
+        truth: &truth.mask,
+        error: judgement.error,
+        distances: &judgement.distances,
+        analysis: &judgement.analysis,
+        flicker,
+        flip,
+    };
     Ok(Judged {
+        metrics: MetricValues::measure(METRICS, &findings),
         mask,
         picture,
         judgement,
-        flicker,
-        flip,
     })
 }
 
@@ -195,58 +209,31 @@ fn keep(
         mask,
         picture,
         judgement,
-        flicker,
-        flip,
+        metrics,
     } = judged;
     let cell = &run.cell;
     if let Some(picture) = picture.filter(|_| frame == 0) {
         let size_px = request.plan.size_px;
-        let cell = (&*cell.scene, &*cell.method, &*cell.variant);
+        let cell = (&*cell.scene, &*cell.method, &cell.variant);
         let write = |kind, image: Image<'_>| dir.write_image(cell, kind, &image);
         write(ImageKind::Picture, Image::rgba(size_px, &picture))?;
         write(ImageKind::Mask, Image::grey(size_px, &mask))?;
         write(ImageKind::Error, Image::rgb(size_px, &judgement.error_map))?;
     }
-    let error = FrameError {
-        frame,
-        time_s,
-        followed_px: flicker.map(|f| f.followed_px),
-        flicker_px: flicker.map(|f| f.flicker_px),
-        flip,
-        ..frame_error(cell, &judgement)
-    };
-    dir.append_errors(&error, &regions(cell, frame, &judgement))?;
-    run.errors.push(error);
-    request.observer.advance(1);
-    Ok(())
-}
-
-fn frame_error(cell: &Cell, judgement: &Judgement) -> FrameError {
-    let Judgement {
-        error,
-        distances,
-        analysis,
-        ..
-    } = judgement;
-    FrameError {
+    let verified = VerifiedFrame {
         scene: cell.scene.clone(),
         method: cell.method.clone(),
         variant: cell.variant.clone(),
         width: cell.width,
         height: cell.height,
-        false_lit: error.false_lit,
-        false_shadowed: error.false_shadowed,
-        boundary_px: error.boundary_px,
-        artifact_px: error.artifact_px,
-        ambiguous_px: error.ambiguous_px,
-        compared_px: error.compared_px,
-        distances: pairs_to_text(distances.classes()),
-        distance_px_max: distances.max_px,
-        regions: analysis.regions.len() as u64,
-        largest_region_px: analysis.regions.first().map_or(0, |region| region.size_px),
-        labels: pairs_to_text(analysis.label_counts()),
-        ..FrameError::default()
-    }
+        frame,
+        time_s,
+        metrics,
+    };
+    dir.append_verified(&verified, &regions(cell, frame, &judgement))?;
+    run.verified.push(verified);
+    request.observer.advance(1);
+    Ok(())
 }
 
 fn regions(cell: &Cell, frame: u32, judgement: &Judgement) -> Vec<RegionRow> {

@@ -9,6 +9,7 @@ use crate::judge::Verifier;
 use crate::methods::{self, MethodError, PrepareContext, Registry};
 use crate::metrics::MaskError;
 use crate::record::Image;
+use crate::variant::Variant;
 use anyhow::Context;
 use serde::Serialize;
 use std::path::PathBuf;
@@ -59,7 +60,7 @@ struct Output<'a> {
     triangles: usize,
     objects: usize,
     method: &'a str,
-    variant: String,
+    variant: Variant,
     width: u32,
     height: u32,
     errors: MaskError,

@@ -6,12 +6,15 @@ use tempfile::TempDir;
 
 mod exporters;
 
-use super::fixture::{HOSTILE, LEGEND, cell, info, made_up_run, samples, swept_run, write_run};
+use super::fixture::{
+    HOSTILE, LEGEND, cell, counted, info, made_up_run, samples, swept_run, write_rows, write_run,
+};
 use super::*;
 use crate::record::{
-    FrameError, IMAGES_DIR, ImageKind, RUN_FILE, RunStatus, SAMPLES_FILE, SUMMARY_FILE, Status,
-    Summary, image_name,
+    IMAGES_DIR, ImageKind, METRICS_FILE, RUN_FILE, RunStatus, SAMPLES_FILE, SUMMARY_FILE, Status,
+    Summary, VerifiedFrame, image_name, metric_rows,
 };
+use crate::variant::Variant;
 
 /// The page alone: PNGs take most of a report's time, and few tests read them.
 fn html_of(dir: &TempDir) -> String {
@@ -61,7 +64,7 @@ fn the_table_groups_by_scene_and_shows_times_errors_and_reasons() {
 fn run_without_a_model() -> (TempDir, &'static str) {
     let dir = tempfile::tempdir().unwrap();
     let mut info = info(&["grid_n10", "sponza"], &["silhouette_ts", "triangle_gs"]);
-    info.methods[1].variant = "counting=z_pass,determinism=none".to_owned();
+    info.methods[1].variant = "counting=z_pass,determinism=none".parse().unwrap();
     let reason = "the model crytek_sponza.obj is in none of the places searched: scenes/models";
     info.scenes[1].status = Status::Skipped;
     info.scenes[1].reason = reason.to_owned();
@@ -70,7 +73,7 @@ fn run_without_a_model() -> (TempDir, &'static str) {
         let mut measured = cell(&info, "grid_n10", &method.id, 1000);
         measured.variant = method.variant.clone();
         let own = samples(&measured, 2.0);
-        let errors = [FrameError::default()];
+        let errors = [counted(0, 0, 0, 0, 0)];
         summaries.push(Summary::from_samples(
             &measured,
             &own,
@@ -138,7 +141,12 @@ fn the_page_needs_nothing_else() {
     let images = dir.path().join(IMAGES_DIR);
     fs::create_dir(&images).unwrap();
     fs::write(
-        images.join(image_name("grid_n10", "fast", "", ImageKind::Mask)),
+        images.join(image_name(
+            "grid_n10",
+            "fast",
+            &Variant::default(),
+            ImageKind::Mask,
+        )),
         b"png",
     )
     .unwrap();
@@ -421,13 +429,24 @@ fn a_verified_scene_with_a_hostile_name_is_escaped_in_chart_and_tables() {
     let info = info(&[HOSTILE], &[HOSTILE]);
     let cell = cell(&info, HOSTILE, HOSTILE, 10);
     let own = samples(&cell, 2.0);
-    let wrong = FrameError {
-        false_lit: 5,
-        labels: format!("{HOSTILE}=5"),
-        ..FrameError::default()
+    let found = [(format!("label.{HOSTILE}"), 5.0)];
+    let counts = counted(5, 0, 0, 0, 0);
+    let counts = counts
+        .metrics
+        .iter()
+        .map(|(name, value)| (name.to_owned(), value));
+    let wrong = VerifiedFrame {
+        scene: cell.scene.clone(),
+        method: cell.method.clone(),
+        width: cell.width,
+        height: cell.height,
+        metrics: counts.chain(found).collect(),
+        ..VerifiedFrame::default()
     };
+    let rows = metric_rows([&wrong]);
     let summary = Summary::from_samples(&cell, &own, &[wrong], Status::Ok, "");
     write_run(dir.path(), &info, &own, &[summary]);
+    write_rows(dir.path(), METRICS_FILE, &rows);
     let page = html_of(&dir);
     assert!(page.contains("id=\"pareto\"") && page.contains("id=\"errors\""));
     assert!(!page.contains("<script"), "not escaped");
@@ -439,7 +458,12 @@ fn a_page_of_too_many_pictures_links_to_those_of_lesser_cells() {
     let images = dir.path().join(IMAGES_DIR);
     fs::create_dir(&images).unwrap();
     let picture = |method: &str, variant: &str, bytes: usize| {
-        let name = image_name("sponza", method, variant, ImageKind::Error);
+        let name = image_name(
+            "sponza",
+            method,
+            &variant.parse().unwrap(),
+            ImageKind::Error,
+        );
         fs::write(images.join(&name), vec![0; bytes]).unwrap();
         name
     };

@@ -5,7 +5,8 @@ use std::cmp::Reverse;
 use maud::{Markup, html};
 
 use super::shell::{Section, details};
-use crate::record::{RegionRow, Summary, pairs_from_text};
+use crate::metrics::MetricValues;
+use crate::record::{RegionRow, Summary};
 use crate::report::format::{count, px_per_frame};
 use crate::report::load::Run;
 use crate::report::table::{Cell, Column, Row, Table};
@@ -78,8 +79,9 @@ fn row(run: &Run, row: &Summary) -> Row {
     let contender = run.contender(row);
     let px = |sum: Option<u64>| sum.map(|sum| px_per_frame(sum, row.verified_frames)).into();
     let wrong = row.false_lit.zip(row.false_shadowed);
-    let shares = shares(&row.distances);
-    let flicker = row.flicker_px.zip(row.followed_px);
+    let metrics = &row.metrics;
+    let shares = shares(metrics);
+    let flicker = metrics.px("flicker_px").zip(metrics.px("followed_px"));
     let flicker = flicker.filter(|(_, followed)| *followed > 0);
     let mut cells = vec![
         Cell::method(&contender.method, &contender.variant),
@@ -94,12 +96,15 @@ fn row(run: &Run, row: &Summary) -> Row {
     let percent = |index: usize| shares.map(|s| format!("{:.0} %", (s[index] * 100.0).floor()));
     cells.extend((0..CLASSES_PX.len()).map(|index| percent(index).into()));
     cells.extend([
-        row.distance_px_max.map(|far| format!("{far:.1}")).into(),
+        metrics
+            .get("distance_px_max")
+            .map(|far| format!("{far:.1}"))
+            .into(),
         kinds(row).into(),
         flicker
             .map(|(flicker, followed)| px_per_million(flicker, followed))
             .into(),
-        row.flip_mean.map(|flip| format!("{flip:.4}")).into(),
+        metrics.get("flip").map(|flip| format!("{flip:.4}")).into(),
     ]);
     cells.into()
 }
@@ -115,8 +120,8 @@ fn px_per_million(px: u64, of_px: u64) -> String {
 }
 
 /// The share of wrong pixels within each of [`CLASSES_PX`]; `None` where none has a distance.
-fn shares(distances: &str) -> Option<[f64; CLASSES_PX.len()]> {
-    let classes = pairs_from_text::<u64>(distances);
+fn shares(metrics: &MetricValues) -> Option<[f64; CLASSES_PX.len()]> {
+    let classes: Vec<(&str, u64)> = metrics.classes("distance").collect();
     let all: u64 = classes.iter().map(|(_, px)| px).sum();
     // The class `more` has no upper end, and so is within none.
     let within = |limit: f64| {
@@ -143,7 +148,7 @@ fn bar(shares: Option<[f64; CLASSES_PX.len()]>) -> Markup {
 
 /// The kinds of error by their pixels, the most first; `None` where nothing was labelled.
 fn kinds(row: &Summary) -> Option<String> {
-    let mut kinds = pairs_from_text::<u64>(&row.labels);
+    let mut kinds: Vec<(&str, u64)> = row.metrics.classes("label").collect();
     kinds.retain(|(_, px)| *px > 0);
     kinds.sort_by_key(|(_, px)| Reverse(*px));
     let text = |(name, px)| format!("{name} {}", px_per_frame(px, row.verified_frames));
@@ -158,8 +163,8 @@ fn regions(run: &Run, scene: &str) -> Markup {
     if regions.is_empty() {
         return html! {};
     }
-    let errors = run.errors.iter().filter(|error| error.scene == scene);
-    let all: u64 = errors.map(|error| error.regions).sum();
+    let frames = run.frames.iter().filter(|frame| frame.scene == scene);
+    let all: u64 = frames.map(|frame| frame.px("regions")).sum();
     let shown = regions.len();
     let columns = [
         Column::heads("Method", "method"),
@@ -172,7 +177,7 @@ fn regions(run: &Run, scene: &str) -> Markup {
     ];
     let row = |region: &RegionRow| {
         [
-            Cell::method(&region.method, &region.variant),
+            Cell::method(&region.method, region.variant.as_str()),
             region.frame.to_string().into(),
             count(region.size_px).into(),
             region.sign.replace('_', " ").into(),
@@ -202,7 +207,7 @@ pub(super) fn biases(run: &Run) -> Option<Section> {
     let rows = run.biases.iter().map(|bias| {
         [
             run.scene_title(&bias.scene).into(),
-            Cell::method(&bias.method, &bias.variant),
+            Cell::method(&bias.method, bias.variant.as_str()),
             bias.resolution.to_string().into(),
             bias.slope_bias.to_string().into(),
             px(bias.acne_px_unbiased),
@@ -239,8 +244,17 @@ mod tests {
 
     #[test]
     fn shares_add_up_and_what_is_beyond_is_within_none() {
-        assert_eq!(shares("1=5;2=2;4=1;8=1;more=1"), Some([0.5, 0.8, 0.9]));
-        assert_eq!(shares("1=0;more=0"), None);
-        assert_eq!(shares(""), None);
+        let classes = |px: &[(&str, f64)]| px.iter().copied().collect();
+        let found = [
+            ("distance.1", 5.0),
+            ("distance.2", 2.0),
+            ("distance.4", 1.0),
+            ("distance.8", 1.0),
+            ("distance.more", 1.0),
+        ];
+        assert_eq!(shares(&classes(&found)), Some([0.5, 0.8, 0.9]));
+        let none = [("distance.1", 0.0), ("distance.more", 0.0)];
+        assert_eq!(shares(&classes(&none)), None);
+        assert_eq!(shares(&classes(&[])), None);
     }
 }

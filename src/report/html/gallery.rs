@@ -10,6 +10,7 @@ use crate::report::LegendEntry;
 use crate::report::curve::{Contender, Curves};
 use crate::report::load::Run;
 use crate::report::pareto::Cloud;
+use crate::variant::Variant;
 
 /// The pictures of a cell.
 const KINDS: [(ImageKind, &str, &str); 3] = [
@@ -101,7 +102,7 @@ fn scene_gallery(
     let title = run.scene_title(scene);
     let reference = picture(
         run,
-        &run.image(scene, "", "", ImageKind::Reference),
+        &run.image(scene, "", &Variant::default(), ImageKind::Reference),
         "Reference mask",
         format!("{title}: shadow mask by the ray-traced reference"),
         true,

@@ -4,7 +4,7 @@ use maud::{Markup, html};
 
 use super::shell::{Section, details};
 use crate::record::statistics::median;
-use crate::record::{Summary, pairs_from_text};
+use crate::record::{Summary, summary_records};
 use crate::report::format::ms;
 use crate::report::load::Run;
 use crate::report::results;
@@ -59,10 +59,11 @@ fn stage_times(run: &Run) -> Markup {
 fn stage_medians(run: &Run, row: &Summary) -> Vec<(String, f64)> {
     let mut stages: Vec<(String, Vec<f64>)> = Vec::new();
     for sample in run.samples_of(row) {
-        for (name, stage_ms) in pairs_from_text::<f64>(&sample.stages) {
-            match stages.iter_mut().find(|(known, _)| known == name) {
+        for stage in &sample.stages {
+            let stage_ms = stage.device_ms + stage.cpu_ms;
+            match stages.iter_mut().find(|(known, _)| *known == stage.stage) {
                 Some((_, all)) => all.push(stage_ms),
-                None => stages.push((name.to_owned(), vec![stage_ms])),
+                None => stages.push((stage.stage.clone(), vec![stage_ms])),
             }
         }
     }
@@ -74,17 +75,12 @@ fn stage_medians(run: &Run, row: &Summary) -> Vec<(String, f64)> {
 
 /// Every row and column of the summary, unrounded.
 fn all_figures(run: &Run) -> Markup {
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    for row in &run.summaries {
-        // Writing plain rows to memory cannot fail; a row that did would only be missing here.
-        let _ = writer.serialize(row);
-    }
-    let bytes = writer.into_inner().unwrap_or_default();
-    let mut reader = csv::Reader::from_reader(bytes.as_slice());
-    let heads = reader.headers().cloned().unwrap_or_default();
+    // Rows in memory cannot fail to be written; one that did would only be missing here.
+    let records = summary_records(&run.summaries).unwrap_or_default();
+    let mut records = records.into_iter();
+    let heads = records.next().unwrap_or_default();
     let columns = heads.iter().map(Column::text);
-    let rows = reader.records().flatten();
-    let rows = rows.map(|record| record.iter().map(Cell::from).collect::<Vec<Cell>>());
+    let rows = records.map(|record| record.iter().map(Cell::from).collect::<Vec<Cell>>());
     let table = Table::new("All figures, unrounded", columns)
         .class("all")
         .extend(rows);

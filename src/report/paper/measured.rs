@@ -9,6 +9,7 @@ use super::value::{Mask, Value};
 use crate::record::{Status, Summary};
 use crate::report::groups::Group;
 use crate::report::load::Run;
+use crate::variant::Variant;
 
 /// Fills the groups' columns in, each after those of the paper. A group that has nothing of a table
 /// gets no column in it.
@@ -53,7 +54,7 @@ fn of_series(
     series: &Series,
     points: &[Point],
     run: &Run,
-) -> (String, Vec<Option<Value>>) {
+) -> (Variant, Vec<Option<Value>>) {
     let listed = run.info.methods.iter();
     let listed = listed.map(|method| (&method.id, &method.variant));
     let rows = run.summaries.iter().map(|row| (&row.method, &row.variant));
@@ -71,10 +72,10 @@ fn of_series(
         };
         let values: Vec<Option<Value>> = points.iter().map(at).collect();
         if values.iter().any(Option::is_some) {
-            return (whose.1.to_string(), values);
+            return (whose.1.clone(), values);
         }
     }
-    (String::new(), vec![None; points.len()])
+    (Variant::default(), vec![None; points.len()])
 }
 
 /// The value of a row; `None` where it was not measured or broke.

@@ -3,6 +3,7 @@
 use serde::Deserialize;
 
 use crate::record::Summary;
+use crate::variant::Variant;
 
 /// Which cells of a run are meant.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Deserialize)]
@@ -67,27 +68,15 @@ impl At {
 
 impl Series {
     /// Whether a method in this variant stands for the series.
-    pub(super) fn is(&self, method: &str, variant: &str) -> bool {
-        let has = |wanted: &Needed| {
-            let named =
-                pairs(variant).find_map(|(name, value)| (name == wanted.name).then_some(value));
-            named.unwrap_or(&wanted.default) == wanted.value
-        };
+    pub(super) fn is(&self, method: &str, variant: &Variant) -> bool {
+        let has =
+            |wanted: &Needed| variant.get(&wanted.name).unwrap_or(&wanted.default) == wanted.value;
         self.method == method && self.needs.as_ref().is_none_or(has)
     }
 
     /// What a variant says besides what makes it this series.
-    pub(super) fn besides(&self, variant: &str) -> String {
-        let needed = self.needs.as_ref().map(|parameter| parameter.name.as_str());
-        let rest = pairs(variant).filter(|(name, _)| Some(*name) != needed);
-        rest.map(|(name, value)| format!("{name}={value}"))
-            .collect::<Vec<_>>()
-            .join(",")
+    pub(super) fn besides(&self, variant: &Variant) -> Variant {
+        let needed = self.needs.as_ref();
+        needed.map_or_else(|| variant.clone(), |needed| variant.without(&needed.name))
     }
-}
-
-fn pairs(variant: &str) -> impl Iterator<Item = (&str, &str)> {
-    variant
-        .split(',')
-        .filter_map(|part| part.trim().split_once('='))
 }

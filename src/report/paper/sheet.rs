@@ -4,6 +4,7 @@ use super::published::{Publication, Spec};
 use super::series::At;
 use super::value::{Mask, Value};
 use crate::report::format::{count, ms};
+use crate::variant::Variant;
 
 /// A table with a group of columns for each device.
 #[derive(Debug, Clone)]
@@ -43,7 +44,7 @@ pub struct Column {
     /// By series, then by point; `None` where nothing was measured.
     pub values: Vec<Vec<Option<Value>>>,
     /// By series: the variant measured; empty where it is the default.
-    pub variants: Vec<String>,
+    pub variants: Vec<Variant>,
     /// The run directories that its values come from; none for the paper.
     pub runs: Vec<String>,
 }
@@ -64,7 +65,7 @@ impl Column {
             device: device.to_owned(),
             source,
             values: vec![vec![None; points]; spec.series.len()],
-            variants: vec![String::new(); spec.series.len()],
+            variants: vec![Variant::default(); spec.series.len()],
             runs: Vec::new(),
         }
     }

@@ -61,7 +61,7 @@ impl Sheet {
             of(&|value| value.record_ms.map(|record_ms| format!("{record_ms:?}"))),
             of(&|value| value.draw_calls.map(|draws| draws.to_string())),
             method.to_owned(),
-            column.variants[series].clone(),
+            column.variants[series].to_string(),
             of(&|value| column.runs.get(value.run).cloned()),
         ]);
         row

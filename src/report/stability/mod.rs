@@ -3,11 +3,10 @@
 //!
 //! It is made from the files of the run alone, see [`crate::record::stress`].
 
-mod load;
 mod matrix;
 mod text;
 
-pub use load::StressRun;
+pub use crate::record::StressRun;
 pub use matrix::{Cell, Counts, Failure, Line, Matrix, Unseen};
 
 /// Name of the Markdown matrix in the directory of a stress run.

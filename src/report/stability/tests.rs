@@ -120,7 +120,7 @@ fn many_methods_make_several_narrow_blocks() {
     info.methods = (0..60)
         .map(|index| StressMethod {
             id: format!("method_{index}"),
-            variant: String::new(),
+            variant: Default::default(),
             tolerated_share: 0.0,
             declared: Vec::new(),
         })

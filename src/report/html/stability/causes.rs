@@ -122,7 +122,7 @@ fn row(
     rows: &[&StressRow],
 ) -> Vec<Cell> {
     let name = Cell::code(&method.id);
-    let variant = method.variant.replace(',', ", ");
+    let variant = method.variant.as_str().replace(',', ", ");
     let name = if variant.is_empty() {
         name
     } else {

@@ -2,7 +2,6 @@
 
 use super::failure_id;
 use crate::file_name::file_name;
-use crate::methods::full_name;
 use crate::record::pairs_from_text;
 use crate::record::stress::{FAILURES_DIR, GAP_PX, Outcome, StressRow};
 use crate::report::format::{count, short};
@@ -97,7 +96,7 @@ fn kinds(row: &StressRow) -> String {
 /// The command that draws the picture again, to be run in the directory of the run.
 fn command(run: &StressRun, row: &StressRow) -> String {
     let stem = file_name(&format!("{}_{}", row.cause, row.value));
-    let method = full_name(&row.method, &row.variant);
+    let method = row.variant.full_name(&row.method);
     format!(
         "svbench render {FAILURES_DIR}/{stem}.toml --method {} --size {}x{}",
         method, run.info.width, run.info.height

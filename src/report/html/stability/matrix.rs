@@ -56,8 +56,8 @@ fn table(matrix: &Matrix<'_>) -> Table {
 fn head(method: &StressMethod) -> Markup {
     html! {
         code { (breakable(&method.id)) }
-        @for pair in method.variant.split(',').filter(|pair| !pair.is_empty()) {
-            small { (breakable(pair)) }
+        @for (name, value) in method.variant.parameters() {
+            small { (breakable(&format!("{name}={value}"))) }
         }
     }
 }

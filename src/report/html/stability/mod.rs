@@ -125,7 +125,7 @@ fn origin(run: &StressRun) -> Section {
         Column::number("Tolerated share of wrong pixels"),
     ];
     let methods = info.methods.iter().map(|method| {
-        let variant = method.variant.replace(',', ", ");
+        let variant = method.variant.as_str().replace(',', ", ");
         [
             Cell::code(&method.id),
             variant.into(),

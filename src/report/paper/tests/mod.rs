@@ -8,6 +8,7 @@ use crate::record::{Cell, Summary};
 use crate::report::fixture::{info, paper_row};
 use crate::report::groups::group;
 use crate::report::load::Run;
+use crate::variant::Variant;
 
 mod ledger;
 mod second;
@@ -43,13 +44,13 @@ fn place(series: &str, point: &Point) -> Cell {
         objects: Some(objects),
         method: milet().series[series].method.clone(),
         variant: if consistent {
-            "determinism=consistent_triangle".to_owned()
+            "determinism=consistent_triangle".parse().unwrap()
         } else {
-            String::new()
+            Variant::default()
         },
         width: info(&[], &[]).width,
         height: info(&[], &[]).height,
-        counters: String::new(),
+        counters: Vec::new(),
     }
 }
 

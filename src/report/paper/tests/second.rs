@@ -69,7 +69,7 @@ fn a_file_gives_tables_and_a_ledger() {
         let cell = Cell {
             scene: scene.to_owned(),
             method: "silhouette_cpu".to_owned(),
-            variant: variant.to_owned(),
+            variant: variant.parse().unwrap(),
             width: info(&[], &[]).width,
             height: info(&[], &[]).height,
             ..Cell::default()

@@ -108,7 +108,7 @@ fn cells_are_bold_marked_or_missing() {
 fn a_series_has_one_variant_the_first_of_the_run_that_was_measured() {
     let with = |variant: &str, number, fps| {
         let cell = Cell {
-            variant: variant.to_owned(),
+            variant: variant.parse().unwrap(),
             ..place("ts_reference_edge", &triangles(number))
         };
         paper_row(&cell, fps, Some(0))
@@ -121,7 +121,7 @@ fn a_series_has_one_variant_the_first_of_the_run_that_was_measured() {
     ];
     let paper = compare(&[paper_run("run", "A GPU", &rows)]);
     let column = paper.sheets[0].columns.last().unwrap();
-    assert_eq!(column.variants[1], "input=storage");
+    assert_eq!(column.variants[1].as_str(), "input=storage");
     assert_eq!(column.value(1, 0).unwrap().value.round(), 2.0);
     assert_eq!(column.value(1, 1), None);
     let notes = paper.sheets[0].notes().join("\n");
@@ -134,11 +134,14 @@ fn a_series_has_one_variant_the_first_of_the_run_that_was_measured() {
 #[test]
 fn only_the_8k_map_and_a_million_triangles_are_the_papers() {
     let map = &milet().series["shadow_map_8k"];
-    assert!(map.is("shadow_map", "slope_bias=3"));
-    assert!(map.is("shadow_map", "resolution=8192"));
-    assert!(!map.is("shadow_map", "resolution=2048,slope_bias=3"));
+    assert!(map.is("shadow_map", &"slope_bias=3".parse().unwrap()));
+    assert!(map.is("shadow_map", &"resolution=8192".parse().unwrap()));
+    assert!(!map.is(
+        "shadow_map",
+        &"resolution=2048,slope_bias=3".parse().unwrap()
+    ));
     let cube = &milet().series["cube_shadow_map"];
-    assert!(cube.is("cube_shadow_map", "resolution=1024") && !cube.in_paper);
+    assert!(cube.is("cube_shadow_map", &"resolution=1024".parse().unwrap()) && !cube.in_paper);
 
     let sheets = milet_sheets();
     let point = sheets[1]
@@ -213,7 +216,7 @@ fn runs_that_share_no_cell_of_a_table_complete_each_other() {
 
     let mut other = sponza;
     for row in &mut other.summaries {
-        row.variant = "slope_bias=9".to_owned();
+        row.variant = "slope_bias=9".parse().unwrap();
     }
     let paper = compare(&[other, spheres]);
     let column = paper.sheets[0].columns.last().unwrap();
