@@ -128,7 +128,7 @@ fn main() -> anyhow::Result<()> {
         let truth = verifier.truth(&view)?;
         for ((method, prepared), sums) in methods.iter().zip(&prepared).zip(&mut sums) {
             let mask = verifier.draw_mask(prepared.as_ref(), &truth)?;
-            let error = verifier.judge(&mask, &truth, prepared.as_ref())?.error;
+            let error = verifier.compare(&mask, &truth, prepared.as_ref())?.error;
             let hard = verifier.hard_errors(&mask, &truth)?;
             let hidden = hard
                 .iter()

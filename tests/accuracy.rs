@@ -58,7 +58,7 @@ fn errors(gpu: &Gpu, scene: &mut Scene, shots: &[(View, Vec4)]) -> Vec<Vec<(Mask
                 .iter()
                 .map(|method| {
                     let mask = verifier.draw_mask(method.as_ref(), &truth).unwrap();
-                    let judgement = verifier.judge(&mask, &truth, method.as_ref()).unwrap();
+                    let judgement = verifier.compare(&mask, &truth, method.as_ref()).unwrap();
                     let hard = verifier.hard_errors(&mask, &truth).unwrap();
                     (judgement.error, hard.len())
                 })

@@ -19,4 +19,4 @@ pub use depth::DepthDirection;
 pub use device::{DeviceSummary, Gpu, GpuError, GpuOptions, Requirement, list_devices};
 pub use fault::DeviceError;
 pub use recorder::FrameRecorder;
-pub use timer::{FrameTimer, StageTimes};
+pub use timer::{FRAMES_IN_FLIGHT, FrameTimer, StageTimes};

@@ -1,6 +1,5 @@
 //! GPU times of a frame's stages, read back frames later so that measuring never stalls.
 
-use super::fault::poll;
 use super::recorder::Submitted;
 use super::{FrameRecorder, Gpu};
 use anyhow::Context;
@@ -13,7 +12,7 @@ pub const MAX_STAGES: usize = 15;
 
 /// Frames that may be under way at once. As many as a swap chain would allow: the CPU may run
 /// ahead, yet the queue does not grow without bound.
-const FRAMES_IN_FLIGHT: usize = 3;
+pub const FRAMES_IN_FLIGHT: usize = 3;
 
 const QUERIES: u32 = MAX_STAGES as u32 + 1;
 const QUERY_BYTES: u64 = QUERIES as u64 * wgpu::QUERY_SIZE as u64;
@@ -198,7 +197,7 @@ impl<T> FrameTimer<T> {
             submission_index: Some(oldest.frame.submission.clone()),
             timeout: None,
         };
-        poll(&gpu.device, wait)?;
+        gpu.poll(wait)?;
         oldest
             .mapped
             .try_recv()
