@@ -115,7 +115,7 @@ fn main() -> anyhow::Result<()> {
     let gpu = Gpu::open(&GpuOptions::default())?;
     let stage = FrameResources::new(&gpu, &scene, SIZE.0, SIZE.1)?;
     let context = PrepareContext::new(&gpu, &scene, &stage);
-    let prepared: Vec<_> = methods
+    let mut prepared: Vec<_> = methods
         .iter()
         .map(|method| Ok(parse_method(method)?.prepare(&context)?))
         .collect::<anyhow::Result<_>>()?;
@@ -126,8 +126,8 @@ fn main() -> anyhow::Result<()> {
         let (view, light) = shot(&scene, seed);
         verifier.light = light;
         let truth = verifier.truth(&view)?;
-        for ((method, prepared), sums) in methods.iter().zip(&prepared).zip(&mut sums) {
-            let mask = verifier.draw_mask(prepared.as_ref(), &truth)?;
+        for ((method, prepared), sums) in methods.iter().zip(&mut prepared).zip(&mut sums) {
+            let mask = verifier.draw_mask(prepared.as_mut(), &truth)?;
             let error = verifier.compare(&mask, &truth, prepared.as_ref())?.error;
             let hard = verifier.hard_errors(&mask, &truth)?;
             let hidden = hard

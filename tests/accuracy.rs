@@ -11,9 +11,10 @@ use rand_chacha::ChaCha8Rng;
 use std::path::Path;
 use svbench::config::find_scene;
 use svbench::frame::FrameResources;
+use svbench::frame::PreparedMethod;
 use svbench::gpu::Gpu;
 use svbench::judge::Verifier;
-use svbench::methods::{PrepareContext, PreparedMethod, parameters::parse_method};
+use svbench::methods::{PrepareContext, parameters::parse_method};
 use svbench::metrics::MaskError;
 use svbench::reference::ReferenceCache;
 use svbench::scene::{Scene, View};
@@ -43,7 +44,7 @@ const METHODS: [&str; 8] = [
 fn errors(gpu: &Gpu, scene: &mut Scene, shots: &[(View, Vec4)]) -> Vec<Vec<(MaskError, usize)>> {
     let cache = ReferenceCache::open(None);
     let stage = FrameResources::new(gpu, scene, WIDTH, HEIGHT).unwrap();
-    let methods: Vec<Box<dyn PreparedMethod>> = {
+    let mut methods: Vec<Box<dyn PreparedMethod>> = {
         let context = PrepareContext::new(gpu, scene, &stage);
         let prepare = |id| parse_method(id).unwrap().prepare(&context).unwrap();
         METHODS.map(prepare).into()
@@ -55,9 +56,9 @@ fn errors(gpu: &Gpu, scene: &mut Scene, shots: &[(View, Vec4)]) -> Vec<Vec<(Mask
             verifier.light = *light;
             let truth = verifier.truth(view).unwrap();
             methods
-                .iter()
+                .iter_mut()
                 .map(|method| {
-                    let mask = verifier.draw_mask(method.as_ref(), &truth).unwrap();
+                    let mask = verifier.draw_mask(method.as_mut(), &truth).unwrap();
                     let judgement = verifier.compare(&mask, &truth, method.as_ref()).unwrap();
                     let hard = verifier.hard_errors(&mask, &truth).unwrap();
                     (judgement.error, hard.len())

@@ -10,8 +10,9 @@ use rand_chacha::ChaCha8Rng;
 use std::path::Path;
 use svbench::config::find_scene;
 use svbench::frame::FrameResources;
-use svbench::gpu::{FrameRecorder, FrameTimer, readback};
-use svbench::methods::{PrepareContext, PreparedMethod, parameters::parse_method};
+use svbench::frame::PreparedMethod;
+use svbench::gpu::FrameTimer;
+use svbench::methods::{PrepareContext, parameters::parse_method};
 use svbench::scene::View;
 
 const SIZE_PX: (u32, u32) = (320, 240);
@@ -60,14 +61,9 @@ fn auto_is_z_fail_with_fewer_draws() {
         let method = parse_method(&format!("{method},counting={counting}")).unwrap();
         method.prepare(&context).unwrap()
     };
-    let pairs = METHODS.map(|method| (prepare(method, "z_fail"), prepare(method, "auto")));
-    let mask = |method: &dyn PreparedMethod| {
-        let mut frame = FrameRecorder::untimed(&gpu);
-        stage.record(&mut frame, method);
-        frame.submit();
-        readback::read_texture(&gpu, &stage.targets.mask).unwrap()
-    };
-    let draw_calls = |method: &dyn PreparedMethod| {
+    let mut pairs = METHODS.map(|method| (prepare(method, "z_fail"), prepare(method, "auto")));
+    let mask = |method: &mut dyn PreparedMethod| stage.draw_mask(&gpu, method).unwrap();
+    let draw_calls = |method: &mut dyn PreparedMethod| {
         let mut timer = FrameTimer::new(&gpu);
         timer
             .frame(&gpu, (), |frame| stage.record(frame, method))
@@ -95,14 +91,14 @@ fn auto_is_z_fail_with_fewer_draws() {
         };
         shadowed_eyes += usize::from(in_shadow(eye, light));
         stage.set_view(&gpu, &view, Vec4::from((light, 1.0)));
-        for (method, (z_fail, auto)) in METHODS.iter().zip(&pairs) {
-            let (expected, found) = (mask(z_fail.as_ref()), mask(auto.as_ref()));
+        for (method, (z_fail, auto)) in METHODS.iter().zip(&mut pairs) {
+            let (expected, found) = (mask(z_fail.as_mut()), mask(auto.as_mut()));
             let differing = (0..expected.len()).filter(|&i| expected[i] != found[i]);
             let inside = differing.filter(|&i| !at_a_boundary(&expected, i)).count();
             if inside > 0 {
                 faults.push(format!("{method}, eye {eye}: {inside} pixels"));
             }
-            let (all, fewer) = (draw_calls(z_fail.as_ref()), draw_calls(auto.as_ref()));
+            let (all, fewer) = (draw_calls(z_fail.as_mut()), draw_calls(auto.as_mut()));
             assert!(fewer < all, "{method}: {fewer} draw calls of {all}");
         }
     }

@@ -77,9 +77,9 @@ fn no_specks_of_light_in_a_shadow() {
         "triangle_ts",
         "triangle_gs",
     ] {
-        let prepared = parse_method(method).unwrap().prepare(&context).unwrap();
+        let mut prepared = parse_method(method).unwrap().prepare(&context).unwrap();
         let hard = truths.each_ref().map(|truth| {
-            let mask = verifier.draw_mask(prepared.as_ref(), truth).unwrap();
+            let mask = verifier.draw_mask(prepared.as_mut(), truth).unwrap();
             verifier.hard_errors(&mask, truth).unwrap().len()
         });
         assert!(

@@ -51,8 +51,8 @@ fn draw_all<'a>(
     let verifier = Verifier::new(gpu, scene, &stage, &cache).unwrap();
     let truth = verifier.truth(&scene.camera.view_at(0.0)).unwrap();
     let draw = |method: &str| {
-        let prepared = parse_method(method).unwrap().prepare(&context).unwrap();
-        let mask = verifier.draw_mask(prepared.as_ref(), &truth).unwrap();
+        let mut prepared = parse_method(method).unwrap().prepare(&context).unwrap();
+        let mask = verifier.draw_mask(prepared.as_mut(), &truth).unwrap();
         Drawn {
             method: method.to_owned(),
             counts: readback::read_stencil(gpu, &stage.targets.depth).unwrap(),

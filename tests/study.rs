@@ -42,11 +42,11 @@ fn draw(gpu: &Gpu, scene: &Scene, method: &str, time_s: f64) -> Drawn {
         .with_depth(gpu, depth)
         .unwrap();
     let context = PrepareContext::new(gpu, scene, &stage);
-    let prepared = method.prepare(&context).unwrap();
+    let mut prepared = method.prepare(&context).unwrap();
     let cache = ReferenceCache::open(None);
     let verifier = Verifier::new(gpu, scene, &stage, &cache).unwrap();
     let truth = verifier.truth(&scene.camera.view_at(time_s)).unwrap();
-    let mask = verifier.draw_mask(prepared.as_ref(), &truth).unwrap();
+    let mask = verifier.draw_mask(prepared.as_mut(), &truth).unwrap();
     let judgement = verifier.compare(&mask, &truth, prepared.as_ref()).unwrap();
     Drawn {
         error: judgement.error,

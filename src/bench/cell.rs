@@ -120,11 +120,10 @@ impl<'a> CellRun<'a> {
     /// The row of a measured frame.
     pub(super) fn sample(&self, measured: &Measured) -> Sample {
         let times = &measured.times;
-        let own = times
-            .stages
-            .iter()
-            .copied()
-            .filter(|(name, _)| ![GBUFFER_STAGE, SHADE_STAGE].contains(name));
+        let own = times.stages.iter().map(|stage| stage.name);
+        let own = own
+            .filter(|name| ![GBUFFER_STAGE, SHADE_STAGE].contains(name))
+            .map(|name| (name, times.stage_ms(name)));
         Sample {
             scene: self.cell.scene.clone(),
             triangles: self.cell.triangles.unwrap_or(0),
@@ -150,7 +149,7 @@ impl<'a> CellRun<'a> {
     /// Takes a measured frame and its row in.
     pub(super) fn keep(&mut self, measured: &Measured, sample: Sample) {
         if self.stages.is_empty() {
-            let names = measured.times.stages.iter().map(|(name, _)| *name);
+            let names = measured.times.stages.iter().map(|stage| stage.name);
             self.stages = names.map(str::to_owned).collect();
         }
         self.samples.push(sample);

@@ -4,7 +4,7 @@
 //! next session.
 
 use crate::frame::DepthSetup;
-use crate::gpu::StageTimes;
+use crate::gpu::FrameTimes;
 use crate::judge::{NoPicture, Observer};
 use crate::methods::ShadowMethod;
 use crate::record::{BiasRow, Cell, EdgeRecord, FrameError, ImageKind, RegionRow};
@@ -64,7 +64,7 @@ pub(super) trait Session {
     ) -> Result<(), NoPicture>;
 
     /// Waits for the oldest of the timed frames under way.
-    fn wait_for_oldest(&mut self, deadline: Option<Instant>) -> Result<StageTimes, NoPicture>;
+    fn wait_for_oldest(&mut self, deadline: Option<Instant>) -> Result<FrameTimes, NoPicture>;
 
     /// Why the device is lost, once it is.
     fn lost(&self) -> Option<String>;

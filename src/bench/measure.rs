@@ -5,7 +5,7 @@ use super::Watched;
 use super::cell::CellRun;
 use super::executor::{Session, sequence};
 use crate::frame::{GBUFFER_STAGE, SHADE_STAGE};
-use crate::gpu::StageTimes;
+use crate::gpu::FrameTimes;
 use crate::judge::NoPicture;
 use crate::record::RunDirError;
 use crate::record::run_dir::RunDir;
@@ -24,7 +24,7 @@ pub(super) struct Measured {
     /// Its place in the order in which frames were drawn.
     pub order: u64,
     /// Its times.
-    pub times: StageTimes,
+    pub times: FrameTimes,
 }
 
 impl Measured {
@@ -162,7 +162,7 @@ impl Frames<'_, '_> {
         }
     }
 
-    fn keep(&mut self, tag: Tag, times: StageTimes) -> Result<(), RunDirError> {
+    fn keep(&mut self, tag: Tag, times: FrameTimes) -> Result<(), RunDirError> {
         let run = &mut self.cells[tag.cell];
         if tag.warmup || !run.is_open() {
             return Ok(());

@@ -2,7 +2,7 @@
 
 use super::executor::{Executor, FoundBias, Prepared, Session, Verified};
 use crate::frame::DepthSetup;
-use crate::gpu::StageTimes;
+use crate::gpu::FrameTimes;
 use crate::judge::{NoPicture, Observer};
 use crate::methods::ShadowMethod;
 use crate::record::{BiasRow, Cell, EdgeRecord, FrameError};
@@ -210,15 +210,14 @@ impl Session for StandInSession<'_> {
         Ok(())
     }
 
-    fn wait_for_oldest(&mut self, _: Option<Instant>) -> Result<StageTimes, NoPicture> {
+    fn wait_for_oldest(&mut self, _: Option<Instant>) -> Result<FrameTimes, NoPicture> {
         let line = self.under_way.pop_front().expect("a frame is under way");
         self.ask(format!("wait {line}"))?;
-        Ok(StageTimes {
-            stages: vec![("gbuffer", 1.0), ("volumes", 2.0), ("shade", 0.5)],
-            record_ms: 0.1,
-            cpu_ms: 0.2,
-            draw_calls: 3,
-        })
+        Ok(FrameTimes::of_stages(&[
+            ("gbuffer", 1.0),
+            ("volumes", 2.0),
+            ("shade", 0.5),
+        ]))
     }
 
     fn lost(&self) -> Option<String> {

@@ -3,7 +3,7 @@
 use super::shot::{ShotArgs, kinds_of_error, wrong_pixels};
 use super::{DeviceArgs, check_size, outputs, reference_cache, values};
 use crate::console;
-use crate::gpu::{FrameTimer, StageTimes};
+use crate::gpu::{FrameTimer, FrameTimes};
 use crate::judge::{DeviceScene, Verifier};
 use crate::methods::parameters;
 use crate::metrics::MaskError;
@@ -96,12 +96,12 @@ pub(super) fn execute(args: &RenderArgs) -> anyhow::Result<()> {
     let device = DeviceScene::new(&gpu, &scene, args.size)?;
     let prepared = device.prepare(method.as_ref());
     let prepared = prepared.with_context(|| format!("method `{}`", info.id))?;
-    let (prepared, stage) = (prepared.method, prepared.resources);
+    let (mut prepared, stage) = (prepared.method, prepared.resources);
 
     let cache = reference_cache()?;
     let verifier = Verifier::new(&gpu, &scene, &stage, &cache)?;
     let truth = verifier.truth(&view)?;
-    let mask = verifier.draw_mask(prepared.as_ref(), &truth)?;
+    let mask = verifier.draw_mask(prepared.as_mut(), &truth)?;
     let picture = verifier.read_picture()?;
     let judgement = verifier.compare(&mask, &truth, prepared.as_ref())?;
     let write = |path: &Option<PathBuf>, image: Image<'_>| {
@@ -117,7 +117,8 @@ pub(super) fn execute(args: &RenderArgs) -> anyhow::Result<()> {
 
     // The frame above was this method's first; the times are those of a second one.
     let mut timer = FrameTimer::new(&gpu);
-    timer.frame(&gpu, (), |frame| stage.record(frame, prepared.as_ref()))?;
+    prepared.begin();
+    timer.frame(&gpu, (), |frame| stage.record(frame, prepared.as_mut()))?;
     let times = timer.finish(&gpu)?.pop().map(|((), times)| times);
     let times = times.context("the frame's times got lost")?;
     let output = Output {
@@ -155,15 +156,15 @@ pub(super) fn execute(args: &RenderArgs) -> anyhow::Result<()> {
     console::check_printed()
 }
 
-fn stages(times: &StageTimes) -> Counts {
+fn stages(times: &FrameTimes) -> Counts {
     times
         .stages
         .iter()
-        .map(|(name, ms)| ((*name).to_owned(), (*ms).into()))
+        .map(|stage| (stage.name.to_owned(), times.stage_ms(stage.name).into()))
         .collect()
 }
 
-fn text(output: &Output<'_>, kinds: &str, times: &StageTimes) -> String {
+fn text(output: &Output<'_>, kinds: &str, times: &FrameTimes) -> String {
     let mut text = format!(
         "{} {} on {}: {} triangles, {} objects, {} × {} pixels\n",
         output.method,
@@ -185,7 +186,7 @@ fn text(output: &Output<'_>, kinds: &str, times: &StageTimes) -> String {
     let stages: Vec<_> = times
         .stages
         .iter()
-        .map(|(name, ms)| format!("{name} {ms:.3}"))
+        .map(|stage| format!("{} {:.3}", stage.name, times.stage_ms(stage.name)))
         .collect();
     text.push_str(&format!(
         "{:.3} ms: {}\n",

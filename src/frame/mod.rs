@@ -5,6 +5,7 @@
 //! method's stages (which add its shadows to the mask) and `shade` (the lit picture). The depth buffer is
 //! reversed, 1 at the near plane and 0 at infinity, unless a [`DepthSetup`] has it otherwise for study.
 
+mod contract;
 mod depth;
 pub mod fullscreen;
 mod gbuffer;
@@ -16,6 +17,7 @@ mod uniform;
 mod view;
 mod visible_triangles;
 
+pub use contract::{Frame, PreparedMethod, TexelOf, Texels};
 pub use depth::{DepthFormat, DepthSetup};
 pub use gbuffer::GBuffer;
 pub use resolve::{RESOLVE_STAGE, StencilResolve};
@@ -27,7 +29,6 @@ pub use view::{FrameView, SceneExtents};
 pub use visible_triangles::VisibleTriangles;
 
 use crate::gpu::{DeviceError, FrameRecorder, Gpu, readback};
-use crate::methods::PreparedMethod;
 use crate::scene::{Scene, View};
 use std::cell::Cell;
 use std::rc::Rc;
@@ -154,30 +155,40 @@ impl FrameResources {
     }
 
     /// Records a whole frame with `method`.
-    pub fn record(&self, frame: &mut FrameRecorder<'_>, method: &dyn PreparedMethod) {
-        self.record_gbuffer(frame);
-        method.record(frame, self);
-        self.record_shade(frame);
-    }
-
-    /// Draws a frame with `method` and reads the mask: 0 lit to 255 in shadow.
     ///
     /// # Errors
-    /// When the device is lost.
-    pub fn draw_mask(&self, gpu: &Gpu, method: &dyn PreparedMethod) -> anyhow::Result<Vec<u8>> {
+    /// The method's.
+    pub fn record<'a>(
+        &'a self,
+        mut recorder: FrameRecorder<'a>,
+        method: &mut dyn PreparedMethod,
+    ) -> anyhow::Result<FrameRecorder<'a>> {
+        self.record_gbuffer(&mut recorder);
+        let mut frame = Frame::new(recorder, self);
+        method.record(&mut frame)?;
+        let mut recorder = frame.into_recorder();
+        self.record_shade(&mut recorder);
+        Ok(recorder)
+    }
+
+    /// Draws a frame with `method` that follows no other, and reads the mask: 0 lit to 255 in shadow.
+    ///
+    /// # Errors
+    /// When the device is lost, or the method's.
+    pub fn draw_mask(&self, gpu: &Gpu, method: &mut dyn PreparedMethod) -> anyhow::Result<Vec<u8>> {
+        method.begin();
         gpu.attempt(|| {
-            let mut frame = FrameRecorder::untimed(gpu);
-            self.record(&mut frame, method);
-            frame.submit();
+            self.record(FrameRecorder::untimed(gpu), method)?.submit();
             readback::read_texture(gpu, &self.targets.mask)
         })
     }
 
     /// Records the last stage alone: shades with the mask as it is.
     pub fn record_shade(&self, frame: &mut FrameRecorder<'_>) {
-        frame.stage(SHADE_STAGE, |encoder| {
-            self.shade.record(encoder, &self.uniform, &self.targets);
-            1
+        frame.stage(SHADE_STAGE, |stage| {
+            self.shade
+                .record(stage.encoder(), &self.uniform, &self.targets);
+            stage.count_draws(1);
         });
     }
 
@@ -187,14 +198,15 @@ impl FrameResources {
             uniform,
             scene,
             targets,
+            gbuffer,
+            visible_triangles,
             ..
         } = self;
-        frame.stage(GBUFFER_STAGE, |encoder| {
-            let draw_calls = self.gbuffer.record(encoder, uniform, scene, targets);
-            draw_calls
-                + self
-                    .visible_triangles
-                    .record(encoder, uniform, scene, targets)
+        frame.stage(GBUFFER_STAGE, |stage| {
+            let encoder = stage.encoder();
+            let draw_calls = gbuffer.record(encoder, uniform, scene, targets)
+                + visible_triangles.record(encoder, uniform, scene, targets);
+            stage.count_draws(draw_calls);
         });
     }
 }

@@ -2,8 +2,8 @@
 
 use super::fullscreen::{self, FullscreenDesc};
 use super::targets::MASK_FORMAT;
-use super::{DepthSetup, Targets};
-use crate::gpu::{FrameRecorder, Gpu, shader};
+use super::{DepthSetup, Frame, Targets};
+use crate::gpu::{Gpu, shader};
 
 /// Name of this stage.
 pub const RESOLVE_STAGE: &str = "resolve";
@@ -49,23 +49,30 @@ impl StencilResolve {
     }
 
     /// Records the stage: adds the counted pixels to the mask.
-    pub fn record(&self, frame: &mut FrameRecorder<'_>, targets: &Targets) {
+    pub fn record(&self, frame: &mut Frame<'_>) {
         let Targets {
             mask_view,
             depth_view,
             width,
             height,
             ..
-        } = targets;
-        frame.stage(RESOLVE_STAGE, |encoder| {
+        } = frame.targets();
+        frame.stage(RESOLVE_STAGE, |stage| {
             let load = wgpu::LoadOp::Load;
-            let mut pass = fullscreen::pass(encoder, "resolve", mask_view, load, Some(depth_view));
+            let mut pass = fullscreen::pass(
+                stage.encoder(),
+                "resolve",
+                mask_view,
+                load,
+                Some(depth_view),
+            );
             pass.set_pipeline(&self.pipeline);
             let far = self.far;
             pass.set_viewport(0.0, 0.0, *width as f32, *height as f32, far, far);
             pass.set_stencil_reference(0);
             pass.draw(0..3, 0..1);
-            1
+            drop(pass);
+            stage.count_draws(1);
         });
     }
 }

@@ -3,6 +3,7 @@
 use super::fault::{DeviceError, Faults, PollFault, poll};
 use super::messages;
 use super::native;
+use super::uploads::Uploads;
 use crate::memory;
 use serde::Serialize;
 use std::sync::Arc;
@@ -128,6 +129,7 @@ pub struct Gpu {
     /// Which native stages were switched on.
     pub stages: native::StageSupport,
     pub(super) memory: MemoryLimits,
+    pub(super) uploads: Arc<Uploads>,
     depth_format: wgpu::TextureFormat,
     faults: Arc<Faults>,
     options: GpuOptions,
@@ -191,6 +193,7 @@ impl Gpu {
                 host_at_opening: memory::available_bytes(),
             },
             faults: Faults::of(&opened.device),
+            uploads: Arc::new(Uploads::new(&opened.device)),
             options: options.clone(),
             device: opened.device,
             queue: opened.queue,

@@ -13,10 +13,17 @@ pub mod readback;
 pub mod recorder;
 mod resource;
 pub mod shader;
+mod stage;
+mod ticket;
+pub mod timeline;
 pub mod timer;
+mod uploads;
 
 pub use depth::DepthDirection;
 pub use device::{DeviceSummary, Gpu, GpuError, GpuOptions, Requirement, list_devices};
 pub use fault::DeviceError;
 pub use recorder::FrameRecorder;
-pub use timer::{FRAMES_IN_FLIGHT, FrameTimer, StageTimes};
+pub use stage::Stage;
+pub use ticket::Ticket;
+pub use timeline::StageTime;
+pub use timer::{FRAMES_IN_FLIGHT, FrameTimer, FrameTimes};

@@ -1,50 +1,71 @@
-//! Recording one frame: a chain of stages, wgpu's or native, with a timestamp between each two.
+//! Recording one frame: a chain of stages, each of wgpu's commands, native ones, work on the processor, or all of
+//! these, timed on both clocks.
 
 use super::Gpu;
-use super::native::{Bindings, NativePass, Target};
-use super::timer::{MAX_STAGES, Slot};
+use super::stage::Stage;
+use super::timeline::Event;
+use super::timer::{MAX_TIMESTAMPS, Slot};
 use std::time::Instant;
 
 /// Records the stages of one frame in order.
 ///
-/// An encoder is wgpu's or native, never both, so a native stage splits the frame: what was
-/// recorded so far is closed, the native commands follow in a buffer of their own, and a new wgpu
-/// encoder goes on after them. All are submitted at once.
+/// An encoder is wgpu's or native, never both, so native commands split the frame: what was recorded so far is
+/// closed, the native commands follow in a buffer of their own, and a new wgpu encoder goes on after them. All are
+/// submitted at once, unless a stage needs an answer of the device within the frame.
 pub struct FrameRecorder<'a> {
-    gpu: &'a Gpu,
-    encoder: wgpu::CommandEncoder,
+    pub(super) gpu: &'a Gpu,
+    pub(super) encoder: wgpu::CommandEncoder,
+    pub(super) draw_calls: u32,
+    /// Whether the encoder copies from the device's upload buffers.
+    pub(super) uploads: bool,
     finished: Vec<wgpu::CommandBuffer>,
-    slot: Option<&'a Slot>,
+    slot: Option<Slot>,
     stages: Vec<&'static str>,
-    draw_calls: u32,
+    events: Vec<Event>,
+    timestamps: u32,
+    /// Whether device commands were recorded since the last timestamp.
+    is_dirty: bool,
+    /// Part of the time since recording began that was not recording: work and waits on the processor.
+    apart_ms: f64,
+    wait_ms: f64,
 }
 
 /// A frame on its way to the device.
 pub(super) struct Submitted {
     /// Names of its stages.
     pub(super) stages: Vec<&'static str>,
+    /// What happened in it.
+    pub(super) events: Vec<Event>,
     /// What to wait for.
     pub(super) submission: wgpu::SubmissionIndex,
     /// How many draw calls it has.
     pub(super) draw_calls: u32,
     /// When the last command was recorded.
     pub(super) recorded: Instant,
+    /// What of the time before was not recording.
+    pub(super) apart_ms: f64,
+    /// What of that was waiting for the device.
+    pub(super) wait_ms: f64,
 }
 
 impl<'a> FrameRecorder<'a> {
-    pub(super) fn new(gpu: &'a Gpu, slot: Option<&'a Slot>) -> Self {
-        let mut encoder = new_encoder(gpu);
-        if let Some(slot) = slot {
-            encoder.write_timestamp(&slot.queries, 0);
-        }
-        Self {
+    pub(super) fn new(gpu: &'a Gpu, slot: Option<Slot>) -> Self {
+        let mut recorder = Self {
             gpu,
-            encoder,
+            encoder: new_encoder(gpu),
+            draw_calls: 0,
+            uploads: false,
             finished: Vec::new(),
             slot,
             stages: Vec::new(),
-            draw_calls: 0,
-        }
+            events: Vec::new(),
+            timestamps: 0,
+            is_dirty: false,
+            apart_ms: 0.0,
+            wait_ms: 0.0,
+        };
+        recorder.timestamp();
+        recorder
     }
 
     /// A frame whose stages nobody times.
@@ -52,51 +73,111 @@ impl<'a> FrameRecorder<'a> {
         Self::new(gpu, None)
     }
 
-    /// A stage of wgpu commands; `record` gives the number of its draw calls.
-    pub fn stage(
-        &mut self,
-        name: &'static str,
-        record: impl FnOnce(&mut wgpu::CommandEncoder) -> u32,
-    ) {
-        self.draw_calls += record(&mut self.encoder);
-        self.end_stage(name);
+    /// The device that the frame is for.
+    pub fn gpu(&self) -> &'a Gpu {
+        self.gpu
     }
 
-    /// A stage of native draws into `target`.
-    pub fn native_stage(
+    /// A stage; gives what `record` gives.
+    pub fn stage<T>(
         &mut self,
         name: &'static str,
-        target: &Target,
-        bindings: &Bindings,
-        draw: impl FnOnce(&mut NativePass<'_>),
-    ) {
-        // The native pass expects the texture as wgpu leaves it after a pass that wrote it.
-        self.encoder.transition_resources(
-            std::iter::empty(),
-            std::iter::once(wgpu::TextureTransition {
-                texture: &target.texture,
-                selector: None,
-                state: wgpu::TextureUses::DEPTH_STENCIL_WRITE,
-            }),
-        );
-        let before = std::mem::replace(&mut self.encoder, new_encoder(self.gpu));
-        self.finished.push(before.finish());
-        let (commands, draw_calls) = NativePass::record(&self.gpu.device, target, bindings, draw);
-        self.finished.push(commands);
-        self.draw_calls += draw_calls;
-        self.end_stage(name);
-    }
-
-    fn end_stage(&mut self, name: &'static str) {
+        record: impl FnOnce(&mut Stage<'_, 'a>) -> T,
+    ) -> T {
         self.stages.push(name);
-        assert!(
-            self.stages.len() <= MAX_STAGES,
-            "a frame has at most {MAX_STAGES} stages"
-        );
-        if let Some(slot) = self.slot {
-            self.encoder
-                .write_timestamp(&slot.queries, self.stages.len() as u32);
+        let result = record(&mut Stage::new(self));
+        self.end_device_work();
+        result
+    }
+
+    /// The device's commands from here on are part of the stage.
+    pub(super) fn begin_device_work(&mut self) {
+        self.is_dirty = true;
+    }
+
+    /// Times what the device was given since the last timestamp, if anything.
+    fn end_device_work(&mut self) {
+        if std::mem::take(&mut self.is_dirty) {
+            let from = self.timestamps.saturating_sub(1);
+            self.timestamp();
+            self.events.push(Event::Device {
+                stage: self.stages.len() - 1,
+                from,
+                to: self.timestamps.saturating_sub(1),
+            });
         }
+    }
+
+    fn timestamp(&mut self) {
+        if let Some(slot) = &self.slot {
+            assert!(
+                self.timestamps < MAX_TIMESTAMPS,
+                "a frame has at most {MAX_TIMESTAMPS} timestamps"
+            );
+            self.encoder.write_timestamp(&slot.queries, self.timestamps);
+            self.timestamps += 1;
+        }
+    }
+
+    /// Work on the processor, as a part of the stage.
+    pub(super) fn on_processor<T>(&mut self, work: impl FnOnce() -> T) -> T {
+        // Where the device is this processor, earlier frames would slow the work down.
+        if self.slot.is_some() && self.gpu.is_software() && !self.has_worked() {
+            self.apart(|recorder| recorder.gpu.wait_idle());
+        }
+        let begin = Instant::now();
+        let result = work();
+        let ms = begin.elapsed().as_secs_f64() * 1e3;
+        self.apart_ms += ms;
+        let stage = self.stages.len() - 1;
+        self.events.push(Event::Processor { stage, ms });
+        result
+    }
+
+    /// Whether some of this frame is with the device or was worked on the processor already.
+    fn has_worked(&self) -> bool {
+        let has_worked = |event: &Event| !matches!(event, Event::Device { .. });
+        self.events.iter().any(has_worked)
+    }
+
+    /// Puts native commands after what was recorded so far.
+    pub(super) fn push_native(&mut self, commands: wgpu::CommandBuffer) {
+        self.close_encoder();
+        self.finished.push(commands);
+    }
+
+    fn close_encoder(&mut self) {
+        let encoder = std::mem::replace(&mut self.encoder, new_encoder(self.gpu));
+        if std::mem::take(&mut self.uploads) {
+            self.gpu.uploads.close(&encoder);
+        }
+        self.finished.push(encoder.finish());
+    }
+
+    /// Submits what was recorded so far.
+    pub(super) fn submit_part(&mut self) {
+        self.end_device_work();
+        self.close_encoder();
+        self.gpu.queue.submit(std::mem::take(&mut self.finished));
+        self.events.push(Event::Submit);
+        // What the device does between two submissions is not this frame's.
+        self.timestamp();
+    }
+
+    /// Waits for the device to do what was submitted, and for `answer`.
+    pub(super) fn wait<T>(&mut self, answer: impl FnOnce(&Gpu) -> T) -> T {
+        self.events.push(Event::Wait);
+        self.apart(|recorder| answer(recorder.gpu))
+    }
+
+    /// Something that is neither recording nor a method's work.
+    fn apart<T>(&mut self, wait: impl FnOnce(&Self) -> T) -> T {
+        let begin = Instant::now();
+        let result = wait(self);
+        let ms = begin.elapsed().as_secs_f64() * 1e3;
+        self.apart_ms += ms;
+        self.wait_ms += ms;
+        result
     }
 
     /// Submits the frame, for whoever needs to know nothing of it.
@@ -105,10 +186,10 @@ impl<'a> FrameRecorder<'a> {
     }
 
     pub(super) fn submit_timed(mut self) -> Submitted {
-        if let Some(slot) = self.slot {
-            slot.resolve(&mut self.encoder, self.stages.len());
+        if let Some(slot) = &self.slot {
+            slot.resolve(&mut self.encoder, self.timestamps);
         }
-        self.finished.push(self.encoder.finish());
+        self.close_encoder();
         let recorded = Instant::now();
         if loss::is_due() {
             self.gpu.device.destroy();
@@ -117,9 +198,12 @@ impl<'a> FrameRecorder<'a> {
         }
         Submitted {
             stages: self.stages,
+            events: self.events,
             submission: self.gpu.queue.submit(self.finished),
             draw_calls: self.draw_calls,
             recorded,
+            apart_ms: self.apart_ms,
+            wait_ms: self.wait_ms,
         }
     }
 }

@@ -1,52 +1,74 @@
-//! GPU times of a frame's stages, read back frames later so that measuring never stalls.
+//! Times of a frame's stages, read back frames later so that measuring never stalls.
 
 use super::recorder::Submitted;
+use super::timeline::{StageTime, Timeline};
 use super::{FrameRecorder, Gpu};
 use anyhow::Context;
 use std::collections::VecDeque;
 use std::sync::mpsc::Receiver;
 use std::time::Instant;
 
-/// Most stages that one frame may have.
-pub const MAX_STAGES: usize = 15;
+/// Most timestamps that one frame may have: one a stage, and one a submission.
+pub(super) const MAX_TIMESTAMPS: u32 = 64;
 
 /// Frames that may be under way at once. As many as a swap chain would allow: the CPU may run
 /// ahead, yet the queue does not grow without bound.
 pub const FRAMES_IN_FLIGHT: usize = 3;
 
-const QUERIES: u32 = MAX_STAGES as u32 + 1;
-const QUERY_BYTES: u64 = QUERIES as u64 * wgpu::QUERY_SIZE as u64;
+const QUERY_BYTES: u64 = MAX_TIMESTAMPS as u64 * wgpu::QUERY_SIZE as u64;
 
-/// GPU times of one frame.
+/// Times of one frame, in milliseconds.
 #[derive(Debug, Clone, PartialEq)]
-pub struct StageTimes {
-    /// `(stage, milliseconds)` in the order of execution.
-    pub stages: Vec<(&'static str, f64)>,
-    /// What recording the frame's commands took of the CPU, in milliseconds.
+pub struct FrameTimes {
+    /// In the order of execution.
+    pub stages: Vec<StageTime>,
+    /// What each stage adds to the frame: its time on both clocks less what of it lies beside other stages' work.
+    /// Sums up to the whole frame.
+    added_ms: Vec<f64>,
+    /// What recording the frame's commands took of the processor; the method's own work there is not in it.
     pub record_ms: f64,
-    /// What recording and submitting took of the CPU, in milliseconds.
+    /// What recording and submitting took of the processor; the method's own work there is not in it.
     pub cpu_ms: f64,
+    /// How long the processor waited for the device within the frame.
+    pub wait_ms: f64,
     /// Draw calls of the frame.
     pub draw_calls: u32,
 }
 
-impl StageTimes {
-    /// The whole frame: first timestamp to last.
-    pub fn frame_ms(&self) -> f64 {
-        self.stages.iter().map(|(_, ms)| ms).sum()
+impl FrameTimes {
+    /// Times on the device that nobody measured, one stage after the other, for tests of whoever reads them.
+    #[cfg(test)]
+    pub(crate) fn of_stages(stages: &[(&'static str, f64)]) -> Self {
+        let stage = |&(name, device_ms): &(_, _)| StageTime {
+            name,
+            device_ms,
+            processor_ms: 0.0,
+        };
+        Self {
+            stages: stages.iter().map(stage).collect(),
+            added_ms: stages.iter().map(|(_, ms)| *ms).collect(),
+            record_ms: 0.0,
+            cpu_ms: 0.0,
+            wait_ms: 0.0,
+            draw_calls: 0,
+        }
     }
 
-    /// Time of the stage called `name`; 0 where there is none.
+    /// The whole frame on both clocks, work that overlaps counted once; see [`super::timeline`].
+    pub fn frame_ms(&self) -> f64 {
+        self.added_ms.iter().sum()
+    }
+
+    /// What the stages called `name` add to the frame; 0 where there is none.
     pub fn stage_ms(&self, name: &str) -> f64 {
-        self.stages
-            .iter()
-            .filter(|(stage, _)| *stage == name)
-            .map(|(_, ms)| ms)
-            .sum()
+        let stages = self.stages.iter().zip(&self.added_ms);
+        let named = stages.filter(|(stage, _)| stage.name == name);
+        named.map(|(_, ms)| ms).sum()
     }
 }
 
 /// The queries of one frame in flight.
+#[derive(Clone)]
 pub(super) struct Slot {
     pub(super) queries: wgpu::QuerySet,
     resolved: wgpu::Buffer,
@@ -67,7 +89,7 @@ impl Slot {
             queries: device.create_query_set(&wgpu::QuerySetDescriptor {
                 label: Some("stage times"),
                 ty: wgpu::QueryType::Timestamp,
-                count: QUERIES,
+                count: MAX_TIMESTAMPS,
             }),
             resolved: buffer(
                 "stage times, resolved",
@@ -80,9 +102,10 @@ impl Slot {
         }
     }
 
-    pub(super) fn resolve(&self, encoder: &mut wgpu::CommandEncoder, stages: usize) {
-        encoder.resolve_query_set(&self.queries, 0..stages as u32 + 1, &self.resolved, 0);
-        encoder.copy_buffer_to_buffer(&self.resolved, 0, &self.readable, 0, QUERY_BYTES);
+    pub(super) fn resolve(&self, encoder: &mut wgpu::CommandEncoder, timestamps: u32) {
+        let bytes = u64::from(timestamps) * u64::from(wgpu::QUERY_SIZE);
+        encoder.resolve_query_set(&self.queries, 0..timestamps, &self.resolved, 0);
+        encoder.copy_buffer_to_buffer(&self.resolved, 0, &self.readable, 0, bytes);
     }
 }
 
@@ -118,12 +141,12 @@ impl<T> FrameTimer<T> {
     ///
     /// # Errors
     /// When the device is lost.
-    pub fn frame(
+    pub fn frame<'g>(
         &mut self,
-        gpu: &Gpu,
+        gpu: &'g Gpu,
         tag: T,
-        record: impl FnOnce(&mut FrameRecorder<'_>),
-    ) -> anyhow::Result<Option<(T, StageTimes)>> {
+        record: impl FnOnce(FrameRecorder<'g>) -> anyhow::Result<FrameRecorder<'g>>,
+    ) -> anyhow::Result<Option<(T, FrameTimes)>> {
         let done = self.make_room(gpu)?;
         let slot = match self.free.pop() {
             Some(slot) => slot,
@@ -131,11 +154,9 @@ impl<T> FrameTimer<T> {
         };
         let pending = gpu.attempt(|| {
             let begin = Instant::now();
-            let mut recorder = FrameRecorder::new(gpu, Some(&slot));
-            record(&mut recorder);
-            let frame = recorder.submit_timed();
-            let cpu_ms = begin.elapsed().as_secs_f64() * 1e3;
-            let record_ms = (frame.recorded - begin).as_secs_f64() * 1e3;
+            let frame = record(FrameRecorder::new(gpu, Some(slot.clone())))?.submit_timed();
+            let cpu_ms = begin.elapsed().as_secs_f64() * 1e3 - frame.apart_ms;
+            let record_ms = (frame.recorded - begin).as_secs_f64() * 1e3 - frame.apart_ms;
             let (sender, mapped) = std::sync::mpsc::channel();
             slot.readable
                 .map_async(wgpu::MapMode::Read, .., move |result| {
@@ -159,7 +180,7 @@ impl<T> FrameTimer<T> {
     ///
     /// # Errors
     /// When the device is lost.
-    pub fn make_room(&mut self, gpu: &Gpu) -> anyhow::Result<Option<(T, StageTimes)>> {
+    pub fn make_room(&mut self, gpu: &Gpu) -> anyhow::Result<Option<(T, FrameTimes)>> {
         match self.pending.len() {
             FRAMES_IN_FLIGHT => self.finish_one(gpu),
             _ => Ok(None),
@@ -170,7 +191,7 @@ impl<T> FrameTimer<T> {
     ///
     /// # Errors
     /// When the device is lost.
-    pub fn finish(&mut self, gpu: &Gpu) -> anyhow::Result<Vec<(T, StageTimes)>> {
+    pub fn finish(&mut self, gpu: &Gpu) -> anyhow::Result<Vec<(T, FrameTimes)>> {
         std::iter::from_fn(|| self.finish_one(gpu).transpose()).collect()
     }
 
@@ -178,7 +199,7 @@ impl<T> FrameTimer<T> {
     ///
     /// # Errors
     /// When the device is lost.
-    pub fn finish_one(&mut self, gpu: &Gpu) -> anyhow::Result<Option<(T, StageTimes)>> {
+    pub fn finish_one(&mut self, gpu: &Gpu) -> anyhow::Result<Option<(T, FrameTimes)>> {
         gpu.attempt(|| self.wait_for_oldest(gpu))
     }
 
@@ -188,7 +209,7 @@ impl<T> FrameTimer<T> {
         self.pending.front().map(|pending| &pending.tag)
     }
 
-    fn wait_for_oldest(&mut self, gpu: &Gpu) -> anyhow::Result<Option<(T, StageTimes)>> {
+    fn wait_for_oldest(&mut self, gpu: &Gpu) -> anyhow::Result<Option<(T, FrameTimes)>> {
         let Some(oldest) = self.pending.front() else {
             return Ok(None);
         };
@@ -218,12 +239,17 @@ impl<T> FrameTimer<T> {
             bytemuck::pod_collect_to_vec(&bytes)
         };
         slot.readable.unmap();
-        let ms = |pair: &[u64]| pair[1].saturating_sub(pair[0]) as f64 * self.period_ns / 1e6;
-        let named = frame.stages.into_iter().zip(ticks.windows(2).map(ms));
-        let times = StageTimes {
-            stages: named.collect(),
+        let ms = |from: u32, to: u32| {
+            let ticks = ticks[to as usize].saturating_sub(ticks[from as usize]);
+            ticks as f64 * self.period_ns / 1e6
+        };
+        let Timeline { stages, added_ms } = Timeline::new(&frame.stages, &frame.events, ms);
+        let times = FrameTimes {
+            stages,
+            added_ms,
             record_ms,
             cpu_ms,
+            wait_ms: frame.wait_ms,
             draw_calls: frame.draw_calls,
         };
         self.free.push(slot);

@@ -1,7 +1,7 @@
 //! How right a mask or a picture is.
 
 use super::{Truth, Verifier};
-use crate::methods::PreparedMethod;
+use crate::frame::PreparedMethod;
 use crate::metrics::{
     Analysis, Distances, Flicker, FrameContext, MaskComparison, MaskError, analyse, mean_flip,
 };

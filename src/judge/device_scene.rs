@@ -1,10 +1,10 @@
 //! A scene on a device, and methods made ready on it.
 
 use super::NoPicture;
-use crate::frame::{DepthSetup, FrameResources};
+use crate::frame::{DepthSetup, FrameResources, PreparedMethod};
 use crate::geometry::Topology;
-use crate::gpu::{DeviceError, FrameRecorder, Gpu};
-use crate::methods::{self, PrepareContext, PreparedMethod, ShadowMethod};
+use crate::gpu::{DeviceError, FrameRecorder, Gpu, readback};
+use crate::methods::{self, PrepareContext, ShadowMethod};
 use crate::scene::{Scene, View};
 use glam::Vec4;
 use std::cell::{OnceCell, RefCell};
@@ -93,15 +93,29 @@ impl ReadyMethod {
     /// # Errors
     /// When the device is lost.
     pub fn begin(&mut self, gpu: &Gpu, views: &[View], light: Vec4) -> anyhow::Result<()> {
+        self.method.begin();
         for view in views {
             self.resources.set_view(gpu, view, light);
-            gpu.attempt(|| {
-                let mut frame = FrameRecorder::untimed(gpu);
-                self.resources.record(&mut frame, self.method.as_ref());
-                frame.submit();
-                Ok::<_, anyhow::Error>(())
-            })?;
+            gpu.attempt(|| self.submit(gpu))?;
         }
+        Ok(())
+    }
+
+    /// Draws the next frame of the sequence, whose view was set, and reads its mask: 0 lit to 255 in shadow.
+    ///
+    /// # Errors
+    /// When the device is lost, or the method's.
+    pub fn draw_mask(&mut self, gpu: &Gpu) -> anyhow::Result<Vec<u8>> {
+        gpu.attempt(|| {
+            self.submit(gpu)?;
+            readback::read_texture(gpu, &self.resources.targets.mask)
+        })
+    }
+
+    fn submit(&mut self, gpu: &Gpu) -> anyhow::Result<()> {
+        let recorder = FrameRecorder::untimed(gpu);
+        let recorder = self.resources.record(recorder, self.method.as_mut())?;
+        recorder.submit();
         Ok(())
     }
 }

@@ -90,7 +90,7 @@ impl Judge {
                 Some(reference) => reference,
                 None => reference.insert(Verifier::reference_of(scene)?),
             };
-            let ready = device.prepare(method)?;
+            let mut ready = device.prepare(method)?;
             let (gpu, resources) = (&device.gpu, &ready.resources);
             let verifier = Verifier::sharing(gpu, scene, resources, &self.cache, reference);
             let known = truths
@@ -104,7 +104,7 @@ impl Judge {
                 }
             };
             let truth = &truths[known].1;
-            let mask = verifier.draw_mask(ready.method.as_ref(), truth)?;
+            let mask = verifier.draw_mask(ready.method.as_mut(), truth)?;
             let judgement = verifier.compare(&mask, truth, ready.method.as_ref())?;
             Ok(Box::new(Drawn { mask, judgement }))
         });
@@ -122,12 +122,12 @@ impl Judge {
         methods: &[Box<dyn ShadowMethod>],
     ) -> Vec<Result<Vec<u8>, NoPicture>> {
         self.on_devices(scene, methods, |device, method| {
-            let ready = device.prepare(method)?;
+            let mut ready = device.prepare(method)?;
             let view = scene.camera.view_at(0.0);
             ready.resources.set_view(&device.gpu, &view, scene.light);
             ready
                 .resources
-                .draw_mask(&device.gpu, ready.method.as_ref())
+                .draw_mask(&device.gpu, ready.method.as_mut())
         })
     }
 

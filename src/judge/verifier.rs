@@ -1,10 +1,9 @@
 //! What is true at a view of a scene, and the frames that are held against it, which nobody times.
 
 use super::ReadyMethod;
-use crate::frame::{FrameResources, FrameView};
+use crate::frame::{FrameResources, FrameView, PreparedMethod};
 use crate::gpu::{FrameRecorder, Gpu, readback};
 use crate::memory;
-use crate::methods::PreparedMethod;
 use crate::metrics::EdgeDistances;
 use crate::reference::{
     CacheKey, Reference, ReferenceCache, ReferenceMask, ReferenceView, Verdict,
@@ -136,19 +135,29 @@ impl<'a> Verifier<'a> {
     ///
     /// # Errors
     /// When the device is lost.
-    pub fn draw_mask(&self, method: &dyn PreparedMethod, truth: &Truth) -> anyhow::Result<Vec<u8>> {
+    pub fn draw_mask(
+        &self,
+        method: &mut dyn PreparedMethod,
+        truth: &Truth,
+    ) -> anyhow::Result<Vec<u8>> {
         self.stage.set_view(self.gpu, &truth.camera, self.light);
         self.stage.draw_mask(self.gpu, method)
     }
 
-    /// Begins a sequence of frames with a method, and draws those at `times_s` of the flight, which lead in to the
-    /// one that is looked at.
+    /// The same for a frame that follows those at `lead_in_s` of the flight.
     ///
     /// # Errors
     /// When the device is lost.
-    pub fn lead_in(&self, ready: &mut ReadyMethod, times_s: &[f64]) -> anyhow::Result<()> {
-        let views = times_s.iter().map(|s| self.scene.camera.view_at(*s));
-        ready.begin(self.gpu, &views.collect::<Vec<_>>(), self.light)
+    pub fn draw_mask_after(
+        &self,
+        lead_in_s: &[f64],
+        ready: &mut ReadyMethod,
+        truth: &Truth,
+    ) -> anyhow::Result<Vec<u8>> {
+        let views = lead_in_s.iter().map(|s| self.scene.camera.view_at(*s));
+        ready.begin(self.gpu, &views.collect::<Vec<_>>(), self.light)?;
+        self.stage.set_view(self.gpu, &truth.camera, self.light);
+        ready.draw_mask(self.gpu)
     }
 
     /// RGBA of the frame drawn last.

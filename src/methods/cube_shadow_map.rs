@@ -5,11 +5,10 @@
 use super::depth_map::{self, DepthMap, MapKind, MapParameters};
 use super::frustum::NEAR_BY_FAR;
 use super::light_depth::{self, LightView, Lookup, Rounding};
-use super::{Bound, Limit, MethodError, MethodInfo, PrepareContext, PreparedMethod, Texels};
-use crate::frame::FrameResources;
+use super::{Bound, Limit, MethodError, MethodInfo, PrepareContext};
 use crate::frame::fullscreen::bind_group;
+use crate::frame::{Frame, FrameResources, PreparedMethod, SceneExtents, Texels};
 use crate::geometry::Bounds;
-use crate::gpu::FrameRecorder;
 use crate::metrics::Label;
 use bytemuck::{Pod, Zeroable};
 use glam::{DVec3, Mat4, Vec3, Vec4};
@@ -66,13 +65,15 @@ impl MapKind for SixViews {
     ) -> Result<Box<dyn PreparedMethod>, MethodError> {
         let light = context.scene.light;
         if light.w == 0.0 {
-            let reason = "needs a light at a point; this one is at infinity, or too far away to tell from it";
-            return Err(MethodError::Unavailable(reason.to_owned()));
+            return Err(MethodError::Unavailable(NO_POINT.to_owned()));
         }
         let cube = PreparedCube::new(context, map, light.truncate())?;
         Ok(Box::new(cube))
     }
 }
+
+const NO_POINT: &str =
+    "needs a light at a point; this one is at infinity, or too far away to tell from it";
 
 /// Twin of `Cube` in shaders/methods/cube_shadow_map/lookup.wgsl.
 #[repr(C)]
@@ -137,6 +138,8 @@ impl FaceAxes {
 /// One face of the map.
 struct Face {
     layer: wgpu::TextureView,
+    /// Holds a [`LightView`].
+    buffer: wgpu::Buffer,
     light: wgpu::BindGroup,
     /// The casters that may be seen on it.
     objects: Vec<Range<u32>>,
@@ -145,10 +148,48 @@ struct Face {
 /// The map of one scene.
 struct PreparedCube {
     faces: Vec<Face>,
+    cube: wgpu::Buffer,
     pipeline: wgpu::RenderPipeline,
     lookup: Lookup,
-    light: DVec3,
+    light: Vec3,
     parameters: MapParameters,
+}
+
+/// What the shaders know of a light.
+struct CubeLight {
+    views: [LightView; 6],
+    cube: CubeData,
+}
+
+impl CubeLight {
+    fn new(light: Vec3, extents: &SceneExtents, parameters: &MapParameters) -> Self {
+        let near = near_distance(extents.all_casters, light.as_dvec3());
+        let rounding = Rounding::new(parameters.constant_bias, extents.scene, light);
+        let axes = faces();
+        Self {
+            views: axes.each_ref().map(|axes| LightView {
+                view_projection: axes.view_projection(near),
+                origin: light.extend(1.0),
+            }),
+            cube: CubeData {
+                right: axes.each_ref().map(|face| face.right.extend(0.0)),
+                up: axes.each_ref().map(|face| face.up.extend(0.0)),
+                forward: axes.each_ref().map(|face| face.forward.extend(0.0)),
+                light: light.extend(near),
+                rounding: rounding.for_shader(),
+            },
+        }
+    }
+}
+
+/// The casters that a face may see of `light`.
+fn objects_on(axes: &FaceAxes, light: Vec3, resources: &FrameResources) -> Vec<Range<u32>> {
+    let casters = resources.scene.casters.iter();
+    casters
+        .zip(&resources.extents.casters)
+        .filter(|(_, bounds)| axes.may_see(**bounds, light.as_dvec3()))
+        .map(|(object, _)| object.clone())
+        .collect()
 }
 
 impl PreparedCube {
@@ -157,21 +198,17 @@ impl PreparedCube {
         parameters: &MapParameters,
         light: Vec3,
     ) -> Result<Self, MethodError> {
-        let gpu = context.gpu;
-        let extents = &context.stage.extents;
-        let uniform =
-            |contents: &[u8]| gpu.buffer("a light", contents, wgpu::BufferUsages::UNIFORM);
-        let near = near_distance(extents.all_casters, light.as_dvec3());
-        let rounding = Rounding::new(parameters.constant_bias, extents.scene, light);
+        let (gpu, resources) = (context.gpu, context.stage);
+        let data = CubeLight::new(light, &resources.extents, parameters);
+        let uniform = |contents: &[u8]| {
+            let usage = wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST;
+            gpu.buffer("a light", contents, usage)
+        };
         let pipeline = light_depth::pipeline(gpu, parameters.slope_bias);
+        let layout = pipeline.get_bind_group_layout(0);
         let map = light_depth::texture(gpu, parameters.resolution, 6)?;
-        let casters = || context.stage.scene.casters.iter().zip(&extents.casters);
-        let face = |(layer, axes): (u32, &FaceAxes)| {
-            let view = uniform(bytemuck::bytes_of(&LightView {
-                view_projection: axes.view_projection(near),
-                origin: light.extend(1.0),
-            }))?;
-            let layout = pipeline.get_bind_group_layout(0);
+        let face = |((layer, axes), view): ((u32, &FaceAxes), &LightView)| {
+            let buffer = uniform(bytemuck::bytes_of(view))?;
             Ok::<_, MethodError>(Face {
                 layer: map.create_view(&wgpu::TextureViewDescriptor {
                     dimension: Some(wgpu::TextureViewDimension::D2),
@@ -179,21 +216,14 @@ impl PreparedCube {
                     array_layer_count: Some(1),
                     ..Default::default()
                 }),
-                light: bind_group(&gpu.device, &layout, &[view.as_entire_binding()]),
-                objects: casters()
-                    .filter(|(_, bounds)| axes.may_see(**bounds, light.as_dvec3()))
-                    .map(|(object, _)| object.clone())
-                    .collect(),
+                light: bind_group(&gpu.device, &layout, &[buffer.as_entire_binding()]),
+                objects: objects_on(axes, light, resources),
+                buffer,
             })
         };
         let axes = faces();
-        let cube = uniform(bytemuck::bytes_of(&CubeData {
-            right: axes.each_ref().map(|face| face.right.extend(0.0)),
-            up: axes.each_ref().map(|face| face.up.extend(0.0)),
-            forward: axes.each_ref().map(|face| face.forward.extend(0.0)),
-            light: light.extend(near),
-            rounding: rounding.for_shader(),
-        }))?;
+        let all = (0..).zip(&axes).zip(&data.views);
+        let cube = uniform(bytemuck::bytes_of(&data.cube))?;
         let dimension = wgpu::TextureViewDimension::D2Array;
         let whole = map.create_view(&wgpu::TextureViewDescriptor {
             dimension: Some(dimension),
@@ -201,11 +231,36 @@ impl PreparedCube {
         });
         let shader = "methods/cube_shadow_map/lookup.wgsl";
         Ok(Self {
-            faces: (0..).zip(&axes).map(face).collect::<Result<_, _>>()?,
+            faces: all.map(face).collect::<Result<_, _>>()?,
             lookup: Lookup::new(context, shader, (&whole, dimension), &cube, parameters.pcf),
+            cube,
             pipeline,
-            light: light.as_dvec3(),
+            light,
             parameters: *parameters,
+        })
+    }
+
+    /// Turns the faces to a light that has moved.
+    fn follow(&mut self, frame: &mut Frame<'_>) -> anyhow::Result<()> {
+        let light = frame.view().light;
+        anyhow::ensure!(light.w != 0.0, NO_POINT);
+        let light = light.truncate();
+        if light == self.light {
+            return Ok(());
+        }
+        let resources = frame.resources();
+        frame.stage("fit", |stage| {
+            self.light = light;
+            let data = stage.on_processor(|| {
+                for (face, axes) in self.faces.iter_mut().zip(&faces()) {
+                    face.objects = objects_on(axes, light, resources);
+                }
+                CubeLight::new(light, &resources.extents, &self.parameters)
+            });
+            for (face, view) in self.faces.iter().zip(&data.views) {
+                stage.upload(&face.buffer, 0, bytemuck::bytes_of(view))?;
+            }
+            stage.upload(&self.cube, 0, bytemuck::bytes_of(&data.cube))
         })
     }
 }
@@ -224,21 +279,23 @@ fn near_distance(casters: Bounds, light: DVec3) -> f32 {
 }
 
 impl PreparedMethod for PreparedCube {
-    fn record(&self, frame: &mut FrameRecorder<'_>, stage: &FrameResources) {
-        frame.stage("map", |encoder| {
-            let draw = |face: &Face| {
+    fn record(&mut self, frame: &mut Frame<'_>) -> anyhow::Result<()> {
+        self.follow(frame)?;
+        let scene = frame.scene();
+        frame.stage("map", |stage| {
+            for face in &self.faces {
                 let how = (&self.pipeline, &face.light);
-                light_depth::draw(encoder, &face.layer, how, &stage.scene, &face.objects)
-            };
-            self.faces.iter().map(draw).sum()
+                light_depth::draw(stage, &face.layer, how, scene, &face.objects);
+            }
         });
-        self.lookup.record(frame, stage);
+        self.lookup.record(frame);
+        Ok(())
     }
 
     fn texels(&self) -> Option<Texels<'_>> {
         let axes = faces().map(|face| [face.right, face.up, face.forward].map(|a| a.as_dvec3()));
         let of = move |point: DVec3| {
-            let from_light = point - self.light;
+            let from_light = point - self.light.as_dvec3();
             let along = |(_, axes): &(i64, [DVec3; 3])| axes[2].dot(from_light);
             let (layer, [right, up, forward]) = (0..)
                 .zip(axes)

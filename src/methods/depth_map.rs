@@ -4,9 +4,9 @@ use super::light_depth::Rounding;
 use super::limit::PRECISION_LIMIT;
 use super::parameters::{Parameters, in_range};
 use super::{
-    BiasSearch, Bound, Limit, MethodError, MethodInfo, Parameter, PrepareContext, PreparedMethod,
-    ShadowMethod,
+    BiasSearch, Bound, Limit, MethodError, MethodInfo, Parameter, PrepareContext, ShadowMethod,
 };
+use crate::frame::PreparedMethod;
 use crate::metrics::Label;
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
 use std::fmt;

@@ -2,6 +2,7 @@
 
 use crate::geometry::Bounds;
 use crate::scene::Mesh;
+use crate::scene::mesh::Object;
 use glam::{DVec3, DVec4, Mat4, Vec3, Vec4};
 use rayon::prelude::*;
 
@@ -111,16 +112,17 @@ impl Extent {
 }
 
 impl LightFrustum {
-    /// Covers all casting vertices of `mesh`; those that lie outside the widest frustum (beside or
+    /// The vertices of everything in `mesh` that casts.
+    pub(super) fn caster_vertices(mesh: &Mesh) -> Vec<Vec3> {
+        let vertices = |object: &Object| &mesh.positions[object.vertex_range()];
+        mesh.casters().flat_map(vertices).copied().collect()
+    }
+
+    /// Covers all `vertices` of casters; those that lie outside the widest frustum (beside or
     /// behind a point light among the casters) are left out. `None` if none can be covered.
-    pub(super) fn around_casters(mesh: &Mesh, light: Vec4) -> Option<Self> {
-        let objects: Vec<_> = mesh.casters().collect();
-        let vertices = || {
-            objects
-                .par_iter()
-                .flat_map(|o| mesh.positions[o.vertex_range()].par_iter())
-        };
-        let bounds = vertices()
+    pub(super) fn around(vertices: &[Vec3], light: Vec4) -> Option<Self> {
+        let bounds = vertices
+            .par_iter()
             .fold(|| Extent::EMPTY, |extent, p| extent.with(p.as_dvec3()))
             .reduce(|| Extent::EMPTY, Extent::union);
         let centre = (bounds.low + bounds.high) / 2.0;
@@ -141,7 +143,8 @@ impl LightFrustum {
             (local.z > 0.0 && tangents.truncate().abs().max_element() <= max_tangent)
                 .then_some(tangents)
         };
-        let extent = vertices()
+        let extent = vertices
+            .par_iter()
             .filter_map(|p| window(p.as_dvec3()))
             .fold(|| Extent::EMPTY, Extent::with)
             .reduce(|| Extent::EMPTY, Extent::union);
@@ -241,7 +244,8 @@ mod tests {
             Vec4::new(3.0, 40.0, 5.0, 1.0),
             Vec4::new(0.3, 1.0, 0.2, 0.0),
         ] {
-            let frustum = LightFrustum::around_casters(&mesh, light).expect("covers");
+            let frustum =
+                LightFrustum::around(&LightFrustum::caster_vertices(&mesh), light).expect("covers");
             assert_eq!(frustum.covered, 1.0);
             let casters = mesh
                 .casters()
@@ -268,7 +272,8 @@ mod tests {
         .mesh()
         .expect("valid grid");
         let light = Vec4::new(0.0, 3.0, 0.0, 1.0);
-        let frustum = LightFrustum::around_casters(&mesh, light).expect("covers some");
+        let frustum = LightFrustum::around(&LightFrustum::caster_vertices(&mesh), light)
+            .expect("covers some");
         assert!(
             frustum.covered > 0.1 && frustum.covered < 1.0,
             "{}",

@@ -5,9 +5,9 @@ use crate::frame::fullscreen::{
     self, FullscreenDesc, bind_group, bind_group_layout, texture_binding,
 };
 use crate::frame::targets::MASK_FORMAT;
-use crate::frame::{FrameResources, SceneBuffers};
+use crate::frame::{Frame, SceneBuffers};
 use crate::geometry::Bounds;
-use crate::gpu::{FrameRecorder, Gpu, shader};
+use crate::gpu::{Gpu, Stage, shader};
 use bytemuck::{Pod, Zeroable};
 use glam::{Mat4, Vec3, Vec4};
 use std::ops::Range;
@@ -125,29 +125,33 @@ pub(super) fn pipeline(gpu: &Gpu, slope_bias: f32) -> wgpu::RenderPipeline {
         })
 }
 
-/// Draws `objects` into one layer; gives the number of draw calls.
+/// Draws `objects` into one layer.
 pub(super) fn draw(
-    encoder: &mut wgpu::CommandEncoder,
+    stage: &mut Stage<'_, '_>,
     layer: &wgpu::TextureView,
     (pipeline, light): (&wgpu::RenderPipeline, &wgpu::BindGroup),
     scene: &SceneBuffers,
     objects: &[Range<u32>],
-) -> u32 {
-    let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-        label: Some("shadow map"),
-        depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
-            view: layer,
-            depth_ops: Some(wgpu::Operations {
-                load: wgpu::LoadOp::Clear(0.0),
-                store: wgpu::StoreOp::Store,
+) {
+    let mut pass = stage
+        .encoder()
+        .begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some("shadow map"),
+            depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
+                view: layer,
+                depth_ops: Some(wgpu::Operations {
+                    load: wgpu::LoadOp::Clear(0.0),
+                    store: wgpu::StoreOp::Store,
+                }),
+                stencil_ops: None,
             }),
-            stencil_ops: None,
-        }),
-        ..Default::default()
-    });
+            ..Default::default()
+        });
     pass.set_pipeline(pipeline);
     pass.set_bind_group(0, light, &[]);
-    scene.draw(&mut pass, objects)
+    let draw_calls = scene.draw(&mut pass, objects);
+    drop(pass);
+    stage.count_draws(draw_calls);
 }
 
 /// Keeps the larger of what is there and what is drawn.
@@ -221,16 +225,19 @@ impl Lookup {
     }
 
     /// Records the stage `lookup`.
-    pub(super) fn record(&self, frame: &mut FrameRecorder<'_>, stage: &FrameResources) {
-        frame.stage("lookup", |encoder| {
-            let mask = &stage.targets.mask_view;
+    pub(super) fn record(&self, frame: &mut Frame<'_>) {
+        let resources = frame.resources();
+        frame.stage("lookup", |stage| {
+            let mask = &resources.targets.mask_view;
             let load = wgpu::LoadOp::Load;
+            let encoder = stage.encoder();
             let mut pass = fullscreen::pass(encoder, "shadow map lookup", mask, load, None);
             pass.set_pipeline(&self.pipeline);
-            pass.set_bind_group(0, &stage.uniform.bind_group, &[]);
+            pass.set_bind_group(0, &resources.uniform.bind_group, &[]);
             pass.set_bind_group(1, &self.inputs, &[]);
             pass.draw(0..3, 0..1);
-            1
+            drop(pass);
+            stage.count_draws(1);
         });
     }
 }

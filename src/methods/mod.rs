@@ -24,11 +24,10 @@ pub use limit::{Bound, Limit};
 pub use parameters::ParameterError;
 pub use registry::{REGISTRY, Registration, find};
 
-use crate::frame::{DepthSetup, FrameResources};
+use crate::frame::{DepthSetup, FrameResources, PreparedMethod};
 use crate::geometry::Topology;
-use crate::gpu::{DeviceError, FrameRecorder, Gpu, Requirement};
+use crate::gpu::{DeviceError, Gpu, Requirement};
 use crate::scene::Scene;
-use glam::DVec3;
 use serde::Serialize;
 use std::cell::OnceCell;
 use std::rc::Rc;
@@ -165,18 +164,6 @@ impl<'a> PrepareContext<'a> {
     }
 }
 
-/// Gives the texel of a shadow map in which a point in world space is looked up: layer, column, row.
-/// `None` outside of the map.
-pub type TexelOf<'a> = Box<dyn Fn(DVec3) -> Option<[i64; 3]> + Sync + 'a>;
-
-/// How a shadow map is looked up.
-pub struct Texels<'a> {
-    /// Where.
-    pub of: TexelOf<'a>,
-    /// How many texels to each side of that one have a say too.
-    pub reach: u32,
-}
-
 /// Gives the same method with a slope bias in texels.
 pub type WithBias<'a> = Box<dyn Fn(f64) -> Box<dyn ShadowMethod> + 'a>;
 
@@ -224,25 +211,4 @@ pub trait ShadowMethod {
     /// When it cannot run on this scene or device.
     fn prepare(&self, context: &PrepareContext<'_>)
     -> Result<Box<dyn PreparedMethod>, MethodError>;
-}
-
-/// A method ready to draw frames of one scene.
-pub trait PreparedMethod: Sync {
-    /// Records its stages between G-buffer and shading; they add its shadows to the mask.
-    fn record(&self, frame: &mut FrameRecorder<'_>, stage: &FrameResources);
-
-    /// What a reader of its results should know about this scene.
-    fn warnings(&self) -> Vec<String> {
-        Vec::new()
-    }
-
-    /// How its shadow map is looked up; `None` for methods without one.
-    fn texels(&self) -> Option<Texels<'_>> {
-        None
-    }
-
-    /// What it counted while it was prepared, by name.
-    fn counters(&self) -> Vec<(&'static str, u64)> {
-        Vec::new()
-    }
 }

@@ -5,13 +5,14 @@
 use super::depth_map::{self, DepthMap, MapKind, MapParameters};
 use super::frustum::LightFrustum;
 use super::light_depth::{self, LightView, Lookup, Rounding};
-use super::{Bound, Limit, MethodError, MethodInfo, PrepareContext, PreparedMethod, Texels};
-use crate::frame::FrameResources;
+use super::{Bound, Limit, MethodError, MethodInfo, PrepareContext};
 use crate::frame::fullscreen::bind_group;
-use crate::gpu::FrameRecorder;
+use crate::frame::{Frame, PreparedMethod, Texels};
+use crate::geometry::Bounds;
 use crate::metrics::Label;
+use anyhow::Context;
 use bytemuck::{Pod, Zeroable};
-use glam::{DVec3, Vec4};
+use glam::{DVec3, Vec3, Vec4};
 
 /// What the method is.
 pub(super) static INFO: MethodInfo = MethodInfo {
@@ -58,12 +59,21 @@ impl MapKind for OneView {
         context: &PrepareContext<'_>,
         map: &MapParameters,
     ) -> Result<Box<dyn PreparedMethod>, MethodError> {
-        let scene = context.scene;
-        let frustum = LightFrustum::around_casters(&scene.mesh, scene.light).ok_or_else(|| {
-            MethodError::Unavailable("no caster lies before the light in any one view".to_owned())
-        })?;
-        Ok(Box::new(PreparedMap::new(context, map, frustum)?))
+        let vertices = LightFrustum::caster_vertices(&context.scene.mesh);
+        let light = context.scene.light;
+        let frustum = LightFrustum::around(&vertices, light)
+            .ok_or_else(|| MethodError::Unavailable(NOTHING_BEFORE_THE_LIGHT.to_owned()))?;
+        let fit = Fit { light, frustum };
+        Ok(Box::new(PreparedMap::new(context, map, vertices, fit)?))
     }
+}
+
+const NOTHING_BEFORE_THE_LIGHT: &str = "no caster lies before the light in any one view";
+
+/// The frustum of a light.
+struct Fit {
+    light: Vec4,
+    frustum: LightFrustum,
 }
 
 /// Twin of `Light` in shaders/methods/shadow_map/lookup.wgsl; begins like the one in map.wgsl.
@@ -80,8 +90,10 @@ struct PreparedMap {
     map: wgpu::TextureView,
     pipeline: wgpu::RenderPipeline,
     light: wgpu::BindGroup,
+    light_buffer: wgpu::Buffer,
     lookup: Lookup,
-    frustum: LightFrustum,
+    vertices: Vec<Vec3>,
+    fit: Fit,
     parameters: MapParameters,
 }
 
@@ -89,21 +101,13 @@ impl PreparedMap {
     fn new(
         context: &PrepareContext<'_>,
         parameters: &MapParameters,
-        frustum: LightFrustum,
+        vertices: Vec<Vec3>,
+        fit: Fit,
     ) -> Result<Self, MethodError> {
         let gpu = context.gpu;
-        let scene = context.stage.extents.scene;
-        let rounding = Rounding::new(parameters.constant_bias, scene, frustum.origin);
-        let light = LookupLight {
-            view: LightView {
-                view_projection: frustum.view_projection,
-                origin: frustum.origin.extend(1.0),
-            },
-            step: frustum.step,
-            rounding: rounding.for_shader(),
-        };
-        let light = bytemuck::bytes_of(&light);
-        let light = gpu.buffer("a light", light, wgpu::BufferUsages::UNIFORM)?;
+        let light = LookupLight::new(&fit.frustum, parameters, context.stage.extents.scene);
+        let usage = wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST;
+        let light = gpu.buffer("a light", bytemuck::bytes_of(&light), usage)?;
         let map = light_depth::texture(gpu, parameters.resolution, 1)?
             .create_view(&wgpu::TextureViewDescriptor::default());
         let pipeline = light_depth::pipeline(gpu, parameters.slope_bias);
@@ -113,27 +117,63 @@ impl PreparedMap {
         Ok(Self {
             light: bind_group(&gpu.device, &layout, &[light.as_entire_binding()]),
             lookup: Lookup::new(context, shader, (&map, dimension), &light, parameters.pcf),
+            light_buffer: light,
             map,
             pipeline,
             parameters: *parameters,
-            frustum,
+            vertices,
+            fit,
+        })
+    }
+}
+
+impl LookupLight {
+    fn new(frustum: &LightFrustum, parameters: &MapParameters, scene: Bounds) -> Self {
+        let rounding = Rounding::new(parameters.constant_bias, scene, frustum.origin);
+        Self {
+            view: LightView {
+                view_projection: frustum.view_projection,
+                origin: frustum.origin.extend(1.0),
+            },
+            step: frustum.step,
+            rounding: rounding.for_shader(),
+        }
+    }
+}
+
+impl PreparedMap {
+    /// Fits the frustum to a light that has moved.
+    fn follow(&mut self, frame: &mut Frame<'_>) -> anyhow::Result<()> {
+        let light = frame.view().light;
+        if self.fit.light == light {
+            return Ok(());
+        }
+        let scene = frame.resources().extents.scene;
+        frame.stage("fit", |stage| {
+            let frustum = stage.on_processor(|| LightFrustum::around(&self.vertices, light));
+            let frustum = frustum.context(NOTHING_BEFORE_THE_LIGHT)?;
+            let data = LookupLight::new(&frustum, &self.parameters, scene);
+            self.fit = Fit { light, frustum };
+            stage.upload(&self.light_buffer, 0, bytemuck::bytes_of(&data))
         })
     }
 }
 
 impl PreparedMethod for PreparedMap {
-    fn record(&self, frame: &mut FrameRecorder<'_>, stage: &FrameResources) {
-        frame.stage("map", |encoder| {
+    fn record(&mut self, frame: &mut Frame<'_>) -> anyhow::Result<()> {
+        self.follow(frame)?;
+        let scene = frame.scene();
+        frame.stage("map", |stage| {
             let how = (&self.pipeline, &self.light);
-            let casters = &stage.scene.casters;
-            light_depth::draw(encoder, &self.map, how, &stage.scene, casters)
+            light_depth::draw(stage, &self.map, how, scene, &scene.casters);
         });
-        self.lookup.record(frame, stage);
+        self.lookup.record(frame);
+        Ok(())
     }
 
     fn texels(&self) -> Option<Texels<'_>> {
-        let view_projection = self.frustum.view_projection.as_dmat4();
-        let origin = self.frustum.origin.as_dvec3();
+        let view_projection = self.fit.frustum.view_projection.as_dmat4();
+        let origin = self.fit.frustum.origin.as_dvec3();
         let of = move |point: DVec3| {
             let clip = view_projection * (point - origin).extend(1.0);
             let ndc = clip.truncate() / clip.w;
@@ -147,13 +187,13 @@ impl PreparedMethod for PreparedMap {
     }
 
     fn warnings(&self) -> Vec<String> {
-        if self.frustum.covered >= 1.0 {
+        if self.fit.frustum.covered >= 1.0 {
             return Vec::new();
         }
         vec![format!(
             "the light is among the casters: one map covers {:.0} % of their vertices, and what it \
              leaves out is lit",
-            100.0 * self.frustum.covered
+            100.0 * self.fit.frustum.covered
         )]
     }
 }

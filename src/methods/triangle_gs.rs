@@ -4,8 +4,9 @@
 use super::parameters::Parameters;
 use super::volume_parameters::{self, VolumeParameters};
 use super::volumes::{self, STENCIL, StencilVolumes};
-use super::{MethodError, MethodInfo, PrepareContext, PreparedMethod, ShadowMethod};
+use super::{MethodError, MethodInfo, PrepareContext, ShadowMethod};
 use crate::frame::DepthSetup;
+use crate::frame::PreparedMethod;
 use crate::gpu::Requirement;
 use crate::gpu::native::PrimitiveTopology;
 use crate::gpu::shader;

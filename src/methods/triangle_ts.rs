@@ -3,8 +3,9 @@
 use super::parameters::{Parameters, in_range};
 use super::volume_parameters::{self, FrontCap, VolumeParameters};
 use super::volumes::{self, Faces, STENCIL, StencilVolumes};
-use super::{MethodError, MethodInfo, PrepareContext, PreparedMethod, ShadowMethod};
+use super::{MethodError, MethodInfo, PrepareContext, ShadowMethod};
 use crate::frame::DepthSetup;
+use crate::frame::PreparedMethod;
 use crate::gpu::Requirement;
 use crate::gpu::native::PrimitiveTopology;
 use crate::gpu::shader;

@@ -6,19 +6,23 @@
 
 use super::limit::PRECISION_LIMIT;
 use super::volume_parameters::{Counting, VolumeParameters};
-use super::{Bound, Limit, MethodError, PrepareContext, PreparedMethod};
-use crate::frame::{FrameResources, StencilResolve};
+use super::{Bound, Limit, MethodError, PrepareContext};
+use crate::frame::{Frame, PreparedMethod, StencilResolve};
+use crate::geometry::Bounds;
+use crate::gpu::Requirement;
 use crate::gpu::native::{
-    BindingKind, Bindings, IndexedGeometry, Pipeline, PipelineDesc, PrimitiveTopology, Raster,
-    Target, VertexInput,
+    BindingKind, Bindings, IndexedGeometry, NativePass, Pipeline, PipelineDesc, PrimitiveTopology,
+    Raster, Target, VertexInput,
 };
 use crate::gpu::shader::{self, Spirv};
-use crate::gpu::{FrameRecorder, Requirement};
 use crate::metrics::Label;
 use std::ops::Range;
 
 /// Name of the stage that draws the volumes into the stencil buffer.
 const VOLUMES_STAGE: &str = "volumes";
+
+/// Name of the stage that chooses, on the processor, how each object is counted.
+const CHOOSE_STAGE: &str = "choose";
 
 /// What every volume method needs of the device.
 pub(super) const STENCIL: Requirement = Requirement::StencilBuffer;
@@ -254,44 +258,54 @@ impl StencilVolumes {
     }
 
     /// Which of the objects that cast are counted z-pass in the frame under way.
-    fn objects_in_z_pass(&self, stage: &FrameResources) -> Vec<bool> {
-        let casters = &stage.extents.casters;
+    fn objects_in_z_pass(&self, frame: &mut Frame<'_>) -> Vec<bool> {
+        let casters = &frame.resources().extents.casters;
         match self.counting {
             Counting::ZFail => vec![false; casters.len()],
             Counting::ZPass => vec![true; casters.len()],
             Counting::Auto => {
-                let near_volume = stage.view().near_volume();
-                casters
-                    .iter()
-                    .map(|bounds| !near_volume.may_meet(*bounds))
-                    .collect()
+                let view = *frame.view();
+                let may_pass = || {
+                    let near_volume = view.near_volume();
+                    let may_pass = |bounds: &Bounds| !near_volume.may_meet(*bounds);
+                    casters.iter().map(may_pass).collect()
+                };
+                frame.stage(CHOOSE_STAGE, |stage| stage.on_processor(may_pass))
+            }
+        }
+    }
+
+    /// Draws the objects of each way of counting, faces after faces.
+    fn draw(&self, pass: &mut NativePass<'_>, in_z_pass: &[bool]) {
+        for faces in &self.faces {
+            if let Some(geometry) = &faces.geometry {
+                pass.set_geometry(geometry);
+            }
+            for (pipeline, is_z_pass) in [(&faces.z_fail, false), (&faces.z_pass, true)] {
+                let Some(pipeline) = pipeline else { continue };
+                pass.set_pipeline(pipeline);
+                let objects = faces.draws.iter().zip(in_z_pass);
+                for (draw, _) in objects.filter(|(_, z_pass)| **z_pass == is_z_pass) {
+                    match faces.geometry {
+                        Some(_) => pass.draw_indexed(draw.clone()),
+                        None => pass.draw(draw.clone()),
+                    }
+                }
             }
         }
     }
 }
 
 impl PreparedMethod for StencilVolumes {
-    fn record(&self, frame: &mut FrameRecorder<'_>, stage: &FrameResources) {
-        let in_z_pass = self.objects_in_z_pass(stage);
-        frame.native_stage(VOLUMES_STAGE, &self.target, &self.bindings, |pass| {
-            for faces in &self.faces {
-                if let Some(geometry) = &faces.geometry {
-                    pass.set_geometry(geometry);
-                }
-                for (pipeline, is_z_pass) in [(&faces.z_fail, false), (&faces.z_pass, true)] {
-                    let Some(pipeline) = pipeline else { continue };
-                    pass.set_pipeline(pipeline);
-                    let objects = faces.draws.iter().zip(&in_z_pass);
-                    for (draw, _) in objects.filter(|(_, z_pass)| **z_pass == is_z_pass) {
-                        match faces.geometry {
-                            Some(_) => pass.draw_indexed(draw.clone()),
-                            None => pass.draw(draw.clone()),
-                        }
-                    }
-                }
-            }
+    fn record(&mut self, frame: &mut Frame<'_>) -> anyhow::Result<()> {
+        let in_z_pass = self.objects_in_z_pass(frame);
+        frame.stage(VOLUMES_STAGE, |stage| {
+            stage.native(&self.target, &self.bindings, |pass| {
+                self.draw(pass, &in_z_pass);
+            });
         });
-        self.resolve.record(frame, &stage.targets);
+        self.resolve.record(frame);
+        Ok(())
     }
 
     fn counters(&self) -> Vec<(&'static str, u64)> {

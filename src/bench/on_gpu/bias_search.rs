@@ -1,8 +1,9 @@
 //! The smallest slope bias of a shadow map without acne, and the detached shadow that it costs.
 
 use super::FoundBias;
+use crate::frame::PreparedMethod;
 use crate::judge::{DeviceScene, Observer, Truth, Verifier};
-use crate::methods::{BiasSearch, PreparedMethod};
+use crate::methods::BiasSearch;
 use crate::metrics::Label;
 use crate::record::{BiasRow, Cell};
 
@@ -39,8 +40,8 @@ pub(super) fn find(
             return Ok(None);
         }
         tried += 1;
-        let ready = device.prepare((search.with_bias)(slope_bias).as_ref())?;
-        try_bias(slope_bias, ready.method.as_ref(), verifier, truths).map(Some)
+        let mut ready = device.prepare((search.with_bias)(slope_bias).as_ref())?;
+        try_bias(slope_bias, ready.method.as_mut(), verifier, truths).map(Some)
     };
     let tolerance_px = TOLERANCE * f64::from(cell.width) * f64::from(cell.height);
     let Some((unbiased, found)) = smallest(tolerance_px, trial)? else {
@@ -103,7 +104,7 @@ fn smallest(
 
 fn try_bias(
     slope_bias: f64,
-    prepared: &dyn PreparedMethod,
+    prepared: &mut dyn PreparedMethod,
     verifier: &Verifier<'_>,
     truths: &[Truth],
 ) -> anyhow::Result<Trial> {

@@ -6,7 +6,7 @@ mod verify;
 use super::executor::{Executor, FoundBias, Prepared, Session, Verified};
 use crate::config::RunPlan;
 use crate::frame::{DepthSetup, SceneBuffers};
-use crate::gpu::{FRAMES_IN_FLIGHT, FrameTimer, Gpu, StageTimes};
+use crate::gpu::{FRAMES_IN_FLIGHT, FrameTimer, FrameTimes, Gpu};
 use crate::judge::{DeviceScene, NoPicture, Observer, ReadyMethod, Truth, Verifier, contain};
 use crate::methods::ShadowMethod;
 use crate::record::{Cell, EdgeRecord};
@@ -191,14 +191,14 @@ impl Session for GpuSession<'_> {
                 shown.push((depth, *time_s));
             }
             let done = timer.frame(gpu, (), |frame| {
-                ready.resources.record(frame, ready.method.as_ref());
+                ready.resources.record(frame, ready.method.as_mut())
             })?;
             anyhow::ensure!(done.is_none(), "there was no room for another frame");
             Ok(())
         })
     }
 
-    fn wait_for_oldest(&mut self, deadline: Option<Instant>) -> Result<StageTimes, NoPicture> {
+    fn wait_for_oldest(&mut self, deadline: Option<Instant>) -> Result<FrameTimes, NoPicture> {
         let Self { device, timer, .. } = self;
         contain(&device.gpu, deadline, || {
             let done = timer.finish_one(&device.gpu)?;

@@ -62,8 +62,7 @@ impl Moment {
         let mut draw = |time_s: f64, truth: &Truth| {
             let times_s = sequence(time_s, plan.lead_in);
             let lead_in = &times_s[..plan.lead_in as usize];
-            verifier.lead_in(ready, lead_in)?;
-            verifier.draw_mask(ready.method.as_ref(), truth)
+            verifier.draw_mask_after(lead_in, ready, truth)
         };
         let mask = draw(self.time_s, &self.truth)?;
         let picture = match keep_pictures || self.picture.is_some() {

@@ -1,4 +1,4 @@
-//! Vertex and element buffers of native draws.
+//! Vertex and element buffers of native draws, and draws whose numbers are on the device.
 
 use super::{NativeError, wait_idle};
 use ash::vk;
@@ -24,16 +24,9 @@ impl IndexedGeometry {
     ) -> Result<Self, NativeError> {
         assert!(vertices.usage().contains(wgpu::BufferUsages::VERTEX));
         assert!(indices.usage().contains(wgpu::BufferUsages::INDEX));
-        let handle = |buffer: &wgpu::Buffer| {
-            // SAFETY: the handle is borrowed; the clones in `_buffers` keep the buffer alive.
-            unsafe {
-                let hal = buffer.as_hal::<Vulkan>().ok_or(NativeError::NotVulkan)?;
-                Ok::<_, NativeError>(hal.raw_handle())
-            }
-        };
         Ok(Self {
-            vertices: handle(vertices)?,
-            indices: handle(indices)?,
+            vertices: raw_buffer(vertices)?,
+            indices: raw_buffer(indices)?,
             device: device.clone(),
             _buffers: [vertices.clone(), indices.clone()],
         })
@@ -44,5 +37,49 @@ impl Drop for IndexedGeometry {
     /// wgpu does not see that native draws read the buffers, so it must not free them earlier.
     fn drop(&mut self) {
         wait_idle(&self.device);
+    }
+}
+
+/// Draws whose numbers a compute pass or an upload has written: for each the four `u32` vertex count, instance
+/// count, first vertex and first instance.
+pub struct IndirectDraws {
+    pub(super) buffer: vk::Buffer,
+    pub(super) count: u32,
+    device: wgpu::Device,
+    _buffer: wgpu::Buffer,
+}
+
+impl IndirectDraws {
+    /// Bytes of the numbers of one draw.
+    pub const STRIDE: u64 = 16;
+
+    /// As many as `buffer`, which must have the usage `INDIRECT`, has room for.
+    ///
+    /// # Errors
+    /// When the device does not run on Vulkan.
+    pub fn new(device: &wgpu::Device, buffer: &wgpu::Buffer) -> Result<Self, NativeError> {
+        assert!(buffer.usage().contains(wgpu::BufferUsages::INDIRECT));
+        Ok(Self {
+            buffer: raw_buffer(buffer)?,
+            count: (buffer.size() / Self::STRIDE) as u32,
+            device: device.clone(),
+            _buffer: buffer.clone(),
+        })
+    }
+}
+
+impl Drop for IndirectDraws {
+    /// As for [`IndexedGeometry`].
+    fn drop(&mut self) {
+        wait_idle(&self.device);
+    }
+}
+
+/// The handle of a buffer, which whoever uses it must keep alive.
+fn raw_buffer(buffer: &wgpu::Buffer) -> Result<vk::Buffer, NativeError> {
+    // SAFETY: the handle is only borrowed; callers keep a clone of `buffer`.
+    unsafe {
+        let hal = buffer.as_hal::<Vulkan>().ok_or(NativeError::NotVulkan)?;
+        Ok(hal.raw_handle())
     }
 }

@@ -19,7 +19,7 @@ mod pipeline;
 mod target;
 
 pub use bindings::{BindingKind, Bindings};
-pub use geometry::IndexedGeometry;
+pub use geometry::{IndexedGeometry, IndirectDraws};
 pub use memory::{free_heap_bytes, most_bytes_at_once};
 pub use open::{Opened, StageSupport, has_validation_layer, open, support};
 pub use pass::NativePass;

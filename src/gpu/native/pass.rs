@@ -1,7 +1,7 @@
 //! Recording native draws.
 
 use super::bindings::Bindings;
-use super::geometry::IndexedGeometry;
+use super::geometry::{IndexedGeometry, IndirectDraws};
 use super::pipeline::Pipeline;
 use super::target::Target;
 use ash::vk;
@@ -21,7 +21,7 @@ impl NativePass<'_> {
     /// also the number of its draw calls.
     ///
     /// `target`'s texture must be in wgpu's state `DEPTH_STENCIL_WRITE` when it runs, which
-    /// [`super::super::FrameRecorder::native_stage`] takes care of. On a device that is lost or has no memory
+    /// [`crate::gpu::Stage::native`] takes care of. On a device that is lost or has no memory
     /// for commands nothing is recorded; [`crate::gpu::Gpu::attempt`] says so.
     pub fn record(
         device: &wgpu::Device,
@@ -43,7 +43,7 @@ impl NativePass<'_> {
             encoder.as_hal_mut::<Vulkan, _, _>(|hal| {
                 let Some(hal) = hal else { return };
                 let commands = hal.raw_handle();
-                wait_for_uploads(&raw, commands);
+                wait_for_all(&raw, commands);
                 let begin = vk::RenderPassBeginInfo::default()
                     .render_pass(target.render_pass)
                     .framebuffer(target.framebuffer)
@@ -69,6 +69,7 @@ impl NativePass<'_> {
                 draw(&mut pass);
                 pass.raw.cmd_end_render_pass(commands);
                 draw_calls = pass.draw_calls;
+                wait_for_all(&pass.raw, commands);
             });
         }
         (encoder.finish(), draw_calls)
@@ -137,14 +138,28 @@ impl NativePass<'_> {
             );
         };
     }
+
+    /// One draw call whose numbers are on the device, see [`IndirectDraws`].
+    pub fn draw_indirect(&mut self, draws: &IndirectDraws, number: u32) {
+        assert!(number < draws.count, "draw {number} of {}", draws.count);
+        self.draw_calls += 1;
+        let offset = u64::from(number) * IndirectDraws::STRIDE;
+        // SAFETY: the pass is under way with a pipeline and its bindings bound, and the numbers lie in the buffer,
+        // which waits for the device before it goes.
+        unsafe {
+            self.raw
+                .cmd_draw_indirect(self.commands, draws.buffer, offset, 1, 0);
+        }
+    }
 }
 
-/// wgpu does not see what native shaders read, so it places no barrier between the copies that
-/// filled a buffer and these draws.
+/// wgpu does not see what native draws read and write, so it places no barrier between them and its own commands:
+/// neither for what copies, compute passes and draws before have written for them, nor for commands after that
+/// write over what they still read.
 ///
 /// # Safety
 /// `commands` must be recording, outside of a render pass.
-unsafe fn wait_for_uploads(raw: &ash::Device, commands: vk::CommandBuffer) {
+unsafe fn wait_for_all(raw: &ash::Device, commands: vk::CommandBuffer) {
     let barrier = vk::MemoryBarrier::default()
         .src_access_mask(vk::AccessFlags::MEMORY_WRITE)
         .dst_access_mask(vk::AccessFlags::MEMORY_READ | vk::AccessFlags::MEMORY_WRITE);
@@ -152,8 +167,8 @@ unsafe fn wait_for_uploads(raw: &ash::Device, commands: vk::CommandBuffer) {
     unsafe {
         raw.cmd_pipeline_barrier(
             commands,
-            vk::PipelineStageFlags::TRANSFER,
-            vk::PipelineStageFlags::ALL_GRAPHICS,
+            vk::PipelineStageFlags::ALL_COMMANDS,
+            vk::PipelineStageFlags::ALL_COMMANDS,
             vk::DependencyFlags::empty(),
             &[barrier],
             &[],
