@@ -15,7 +15,7 @@ use svbench::config::find_scene;
 use svbench::frame::FrameResources;
 use svbench::gpu::{Gpu, GpuOptions};
 use svbench::judge::Verifier;
-use svbench::methods::{PrepareContext, parameters::parse_method};
+use svbench::methods::{PrepareContext, Registry};
 use svbench::reference::{ReferenceCache, Verdict};
 use svbench::scene::{Scene, Up, View};
 
@@ -117,7 +117,7 @@ fn main() -> anyhow::Result<()> {
     let context = PrepareContext::new(&gpu, &scene, &stage);
     let mut prepared: Vec<_> = methods
         .iter()
-        .map(|method| Ok(parse_method(method)?.prepare(&context)?))
+        .map(|method| Ok(Registry::builtin().parse(method)?.prepare(&context)?))
         .collect::<anyhow::Result<_>>()?;
     let cache = ReferenceCache::open(None);
     let mut verifier = Verifier::new(&gpu, &scene, &stage, &cache)?;

@@ -29,3 +29,6 @@ mod panics;
 pub mod table;
 pub mod toml_array;
 pub mod toml_error;
+
+/// What methods of other crates are written with, in the versions that this one takes.
+pub use {bytemuck, glam, wgpu};

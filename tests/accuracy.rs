@@ -14,7 +14,7 @@ use svbench::frame::FrameResources;
 use svbench::frame::PreparedMethod;
 use svbench::gpu::Gpu;
 use svbench::judge::Verifier;
-use svbench::methods::{PrepareContext, parameters::parse_method};
+use svbench::methods::{PrepareContext, Registry};
 use svbench::metrics::MaskError;
 use svbench::reference::ReferenceCache;
 use svbench::scene::{Scene, View};
@@ -46,7 +46,13 @@ fn errors(gpu: &Gpu, scene: &mut Scene, shots: &[(View, Vec4)]) -> Vec<Vec<(Mask
     let stage = FrameResources::new(gpu, scene, WIDTH, HEIGHT).unwrap();
     let mut methods: Vec<Box<dyn PreparedMethod>> = {
         let context = PrepareContext::new(gpu, scene, &stage);
-        let prepare = |id| parse_method(id).unwrap().prepare(&context).unwrap();
+        let prepare = |id| {
+            Registry::builtin()
+                .parse(id)
+                .unwrap()
+                .prepare(&context)
+                .unwrap()
+        };
         METHODS.map(prepare).into()
     };
     let mut verifier = Verifier::new(gpu, scene, &stage, &cache).unwrap();

@@ -12,7 +12,7 @@ use svbench::config::find_scene;
 use svbench::frame::FrameResources;
 use svbench::frame::PreparedMethod;
 use svbench::gpu::FrameTimer;
-use svbench::methods::{PrepareContext, parameters::parse_method};
+use svbench::methods::{PrepareContext, Registry};
 use svbench::scene::View;
 
 const SIZE_PX: (u32, u32) = (320, 240);
@@ -58,7 +58,9 @@ fn auto_is_z_fail_with_fewer_draws() {
     let stage = FrameResources::new(&gpu, &scene, SIZE_PX.0, SIZE_PX.1).unwrap();
     let context = PrepareContext::new(&gpu, &scene, &stage);
     let prepare = |method: &str, counting: &str| -> Box<dyn PreparedMethod> {
-        let method = parse_method(&format!("{method},counting={counting}")).unwrap();
+        let method = Registry::builtin()
+            .parse(&format!("{method},counting={counting}"))
+            .unwrap();
         method.prepare(&context).unwrap()
     };
     let mut pairs = METHODS.map(|method| (prepare(method, "z_fail"), prepare(method, "auto")));

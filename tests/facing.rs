@@ -12,7 +12,7 @@ use svbench::gpu::native::{
     BindingKind, Bindings, NativePass, Pipeline, PipelineDesc, PrimitiveTopology, Raster, Target,
     VertexInput,
 };
-use svbench::gpu::{DepthDirection, Gpu, readback, shader};
+use svbench::gpu::{Capability, DepthDirection, Gpu, readback, shader};
 use svbench::scene::mesh::canonical;
 use wgpu::util::DeviceExt;
 
@@ -265,7 +265,7 @@ fn every_language_and_stage_decides_alike() {
     let gpu = device();
     let cases = cases();
     assert!(
-        gpu.stages.vertex_stores,
+        gpu.has(Capability::VertexStores),
         "this test writes buffers from geometry shaders"
     );
     let buffers = Buffers::new(&gpu, &cases);

@@ -9,7 +9,7 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use svbench::frame::FrameResources;
 use svbench::judge::Verifier;
-use svbench::methods::{PrepareContext, parameters::parse_method};
+use svbench::methods::{PrepareContext, Registry};
 use svbench::reference::{ReferenceCache, Verdict};
 use svbench::scene::{Scene, SphereGrid, View};
 
@@ -77,7 +77,11 @@ fn no_specks_of_light_in_a_shadow() {
         "triangle_ts",
         "triangle_gs",
     ] {
-        let mut prepared = parse_method(method).unwrap().prepare(&context).unwrap();
+        let mut prepared = Registry::builtin()
+            .parse(method)
+            .unwrap()
+            .prepare(&context)
+            .unwrap();
         let hard = truths.each_ref().map(|truth| {
             let mask = verifier.draw_mask(prepared.as_mut(), truth).unwrap();
             verifier.hard_errors(&mask, truth).unwrap().len()

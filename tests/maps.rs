@@ -6,7 +6,7 @@ mod common;
 use common::device;
 use glam::{Vec3, Vec4};
 use svbench::judge::Judge;
-use svbench::methods::parameters::parse_method;
+use svbench::methods::Registry;
 use svbench::metrics::{Label, MaskError};
 use svbench::scene::{CameraKey, CameraPath, Part, Scene};
 
@@ -65,7 +65,7 @@ fn box_over_floor(height: f32, turn: fn(Vec3) -> Vec3, offset: Vec3, light: Vec4
 
 /// The errors of a method, and how many pixels of them are acne; there is a shadow at all.
 fn errors(judge: &Judge, scene: &Scene, method: &str) -> (MaskError, u64) {
-    let trial = judge.trial(scene, &[parse_method(method).unwrap()]);
+    let trial = judge.trial(scene, &[Registry::builtin().parse(method).unwrap()]);
     let truth = trial.truth.as_ref().unwrap().to_grey();
     let shadowed = truth.iter().filter(|v| **v == 255).count();
     assert!(shadowed > 500, "{shadowed}");

@@ -10,7 +10,7 @@ use rand_chacha::ChaCha8Rng;
 use std::path::Path;
 use svbench::config::find_scene;
 use svbench::judge::Judge;
-use svbench::methods::{ShadowMethod, parameters::parse_method};
+use svbench::methods::{Registry, ShadowMethod};
 use svbench::scene::Scene;
 use svbench::stress::metamorphic::Original;
 use svbench::stress::{Change, Changed, damage, metamorphic, random};
@@ -25,7 +25,9 @@ const METHODS: [&str; 5] = [
 ];
 
 fn methods(ids: &[&str]) -> Vec<Box<dyn ShadowMethod>> {
-    ids.iter().map(|id| parse_method(id).unwrap()).collect()
+    ids.iter()
+        .map(|id| Registry::builtin().parse(id).unwrap())
+        .collect()
 }
 
 /// Checks scenes with all methods, and fails if a mask changed that may not.

@@ -11,7 +11,7 @@ use svbench::config::find_scene;
 use svbench::frame::FrameResources;
 use svbench::gpu::{Gpu, readback};
 use svbench::judge::Verifier;
-use svbench::methods::{PrepareContext, parameters::parse_method};
+use svbench::methods::{PrepareContext, Registry};
 use svbench::metrics::MaskError;
 use svbench::reference::ReferenceCache;
 use svbench::scene::{Scene, View};
@@ -51,7 +51,11 @@ fn draw_all<'a>(
     let verifier = Verifier::new(gpu, scene, &stage, &cache).unwrap();
     let truth = verifier.truth(&scene.camera.view_at(0.0)).unwrap();
     let draw = |method: &str| {
-        let mut prepared = parse_method(method).unwrap().prepare(&context).unwrap();
+        let mut prepared = Registry::builtin()
+            .parse(method)
+            .unwrap()
+            .prepare(&context)
+            .unwrap();
         let mask = verifier.draw_mask(prepared.as_mut(), &truth).unwrap();
         Drawn {
             method: method.to_owned(),
@@ -225,7 +229,11 @@ fn splitting_edges_is_counted() {
     let stage = FrameResources::new(&gpu, &scene, 64, 64).unwrap();
     let context = PrepareContext::new(&gpu, &scene, &stage);
     let counters = |method: &str| {
-        let prepared = parse_method(method).unwrap().prepare(&context).unwrap();
+        let prepared = Registry::builtin()
+            .parse(method)
+            .unwrap()
+            .prepare(&context)
+            .unwrap();
         prepared.counters()
     };
     let whole = counters("silhouette_gs,max_multiplicity=64,input=storage");
@@ -427,7 +435,10 @@ fn a_cube_map_needs_a_light_at_a_point() {
     let scene = scene_over_ground(&fan(3), 0.0, light, &view());
     let stage = FrameResources::new(&gpu, &scene, 8, 8).unwrap();
     let context = PrepareContext::new(&gpu, &scene, &stage);
-    let refused = parse_method("cube_shadow_map").unwrap().prepare(&context);
+    let refused = Registry::builtin()
+        .parse("cube_shadow_map")
+        .unwrap()
+        .prepare(&context);
     let reason = refused.err().unwrap().to_string();
     assert!(reason.contains("light at a point"), "{reason}");
 }

@@ -14,7 +14,7 @@ use std::time::Instant;
 use svbench::gpu::Gpu;
 use svbench::judge::Judge;
 use svbench::judge::Observer;
-use svbench::methods::parameters::parse_method;
+use svbench::methods::Registry;
 use svbench::scene::{ModelSearch, Scene, SceneFile, export};
 use svbench::stress::minimise::minimise;
 
@@ -52,7 +52,7 @@ fn soup(seed: u64) -> Vec<[Vec3; 3]> {
 /// Minimises, writes, reads and draws again.
 fn shrink(gpu: &Gpu, scene: &Scene, method: &str) {
     let judge = Judge::new(gpu, SIZE_PX);
-    let methods = [parse_method(method).unwrap()];
+    let methods = [Registry::builtin().parse(method).unwrap()];
     let artifact_px = |scene: &Scene| -> anyhow::Result<u64> {
         Ok(judge.trial(scene, &methods).attempts[0].artifact_px())
     };

@@ -5,8 +5,8 @@ mod common;
 
 use common::device;
 use svbench::judge::{Attempt, Judge};
+use svbench::methods::Registry;
 use svbench::methods::ShadowMethod;
-use svbench::methods::parameters::parse_method;
 use svbench::stress::{Finding, find_cause, random};
 
 const SIZE_PX: (u32, u32) = (160, 120);
@@ -20,7 +20,9 @@ const ROBUST: [&str; 5] = [
 ];
 
 fn methods(ids: &[&str]) -> Vec<Box<dyn ShadowMethod>> {
-    ids.iter().map(|id| parse_method(id).unwrap()).collect()
+    ids.iter()
+        .map(|id| Registry::builtin().parse(id).unwrap())
+        .collect()
 }
 
 /// Artifact pixels of a method at a value of a cause.

@@ -11,7 +11,7 @@ use svbench::config::{builtin_scenes, find_scene};
 use svbench::frame::FrameResources;
 use svbench::gpu::Gpu;
 use svbench::judge::Verifier;
-use svbench::methods::{PrepareContext, parameters::parse_method};
+use svbench::methods::{PrepareContext, Registry};
 use svbench::metrics::{Label, MaskError};
 use svbench::reference::ReferenceCache;
 use svbench::scene::{Scene, SceneError, View};
@@ -34,7 +34,7 @@ struct Drawn {
 
 /// The frame at a time on the scene's flight.
 fn draw(gpu: &Gpu, scene: &Scene, method: &str, time_s: f64) -> Drawn {
-    let method = parse_method(method).unwrap();
+    let method = Registry::builtin().parse(method).unwrap();
     let depth = method.depth_setup();
     depth.check(gpu).unwrap();
     let stage = FrameResources::new(gpu, scene, SIZE_PX.0, SIZE_PX.1)
@@ -180,7 +180,9 @@ fn a_bias_is_not_searched_for_outside_of_runs() {
     let scene = builtin("sphere_grid");
     let stage = FrameResources::new(&gpu, &scene, 8, 8).unwrap();
     let context = PrepareContext::new(&gpu, &scene, &stage);
-    let method = parse_method("shadow_map,slope_bias=search").unwrap();
+    let method = Registry::builtin()
+        .parse("shadow_map,slope_bias=search")
+        .unwrap();
     let reason = method.prepare(&context).err().unwrap().to_string();
     assert!(reason.contains("give a number"), "{reason}");
 }

@@ -5,6 +5,7 @@ use super::runner::run_scenes;
 use super::stand_in::{StandIn, Trouble};
 use crate::config::RunPlan;
 use crate::judge::Observer;
+use crate::methods::Registry;
 use crate::record::run_dir::RunDir;
 use crate::record::{RunInfo, RunStatus, Sample, Status, Summary};
 use std::collections::BTreeSet;
@@ -43,7 +44,7 @@ fn run(stand_in: &StandIn, config: &str) -> Ran {
 }
 
 fn run_in(stand_in: &StandIn, config: &str, base: &Path) -> Ran {
-    let plan = RunPlan::parse(config, "test.toml", base, "full").unwrap();
+    let plan = RunPlan::parse(config, "test.toml", base, "full", &Registry::builtin()).unwrap();
     let dir = tempfile::tempdir().unwrap();
     let mut run_dir = RunDir::create(&dir.path().join("run")).unwrap();
     let (mut info, mut summaries) = (RunInfo::default(), Vec::new());

@@ -1,6 +1,7 @@
 //! `svbench accuracy CONFIG`
 
 use super::run::{self, RunArgs};
+use crate::methods::Registry;
 
 /// Arguments of `svbench accuracy`.
 #[derive(Debug, clap::Args)]
@@ -13,6 +14,6 @@ pub(super) struct AccuracyArgs {
     every: u32,
 }
 
-pub(super) fn execute(args: &AccuracyArgs) -> anyhow::Result<()> {
-    run::execute(&args.run, Some(args.every))
+pub(super) fn execute(args: &AccuracyArgs, registry: &Registry) -> anyhow::Result<()> {
+    run::execute(&args.run, registry, Some(args.every))
 }

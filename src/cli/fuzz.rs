@@ -6,8 +6,7 @@ use crate::console;
 use crate::file_name::method_file_name;
 use crate::judge::Judge;
 use crate::judge::Observer;
-use crate::methods::parameters::parse_method;
-use crate::methods::{REGISTRY, ShadowMethod};
+use crate::methods::{Registry, ShadowMethod};
 use crate::output;
 use crate::record::Image;
 use crate::scene::export;
@@ -44,8 +43,8 @@ pub(super) struct FuzzArgs {
     device: DeviceArgs,
 }
 
-pub(super) fn execute(args: &FuzzArgs) -> anyhow::Result<()> {
-    let methods = methods(&args.method)?;
+pub(super) fn execute(args: &FuzzArgs, registry: &Registry) -> anyhow::Result<()> {
+    let methods = methods(&args.method, registry)?;
     let gpu = args.device.open()?;
     check_size(&gpu, args.size, "--size")?;
     if let Some(out) = &args.out {
@@ -98,8 +97,8 @@ fn seeds(args: &FuzzArgs) -> Range<u64> {
 }
 
 /// The methods named, or all that promise to be exact.
-fn methods(named: &[String]) -> anyhow::Result<Vec<Box<dyn ShadowMethod>>> {
-    let exact = REGISTRY
+fn methods(named: &[String], registry: &Registry) -> anyhow::Result<Vec<Box<dyn ShadowMethod>>> {
+    let exact = registry
         .iter()
         .filter(|registration| registration.info.tolerated_share == 0.0)
         .map(|registration| registration.info.id.to_owned());
@@ -110,7 +109,7 @@ fn methods(named: &[String]) -> anyhow::Result<Vec<Box<dyn ShadowMethod>>> {
     };
     Ok(all
         .iter()
-        .map(|text| parse_method(text))
+        .map(|text| registry.parse(text))
         .collect::<Result<_, _>>()?)
 }
 

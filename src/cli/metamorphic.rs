@@ -4,10 +4,10 @@ use super::progress::Progress;
 use super::{DeviceArgs, check_size, values};
 use crate::config::{ConfigError, find_scene};
 use crate::console;
-use crate::gpu::Requirement;
+use crate::gpu::Capability;
 use crate::judge::Observer;
 use crate::judge::{Judge, NoPicture};
-use crate::methods::{REGISTRY, ShadowMethod, parameters};
+use crate::methods::{Registry, ShadowMethod};
 use crate::scene::{Scene, SceneError};
 use crate::stress::metamorphic::{self, Difference};
 use crate::stress::{Change, damage, random};
@@ -63,8 +63,8 @@ struct Checks {
     progress: Progress,
 }
 
-pub(super) fn execute(args: &MetamorphicArgs) -> anyhow::Result<()> {
-    let methods = methods(args)?;
+pub(super) fn execute(args: &MetamorphicArgs, registry: &Registry) -> anyhow::Result<()> {
+    let methods = methods(args, registry)?;
     let scenes = scenes(args)?;
     let gpu = args.device.open()?;
     check_size(&gpu, args.size, "--size")?;
@@ -160,9 +160,12 @@ impl Checks {
     }
 }
 
-fn methods(args: &MetamorphicArgs) -> anyhow::Result<Vec<Box<dyn ShadowMethod>>> {
-    let is_volume_method = |needs: &[Requirement]| needs.contains(&Requirement::StencilBuffer);
-    let default = REGISTRY
+fn methods(
+    args: &MetamorphicArgs,
+    registry: &Registry,
+) -> anyhow::Result<Vec<Box<dyn ShadowMethod>>> {
+    let is_volume_method = |needs: &[Capability]| needs.contains(&Capability::StencilBuffer);
+    let default = registry
         .iter()
         .filter(|registration| is_volume_method(registration.info.needs))
         .map(|registration| registration.info.id);
@@ -172,7 +175,7 @@ fn methods(args: &MetamorphicArgs) -> anyhow::Result<Vec<Box<dyn ShadowMethod>>>
     } else {
         named.collect()
     };
-    let parse = |id| Ok(parameters::parse_method(id)?);
+    let parse = |id| Ok(registry.parse(id)?);
     ids.into_iter().map(parse).collect()
 }
 

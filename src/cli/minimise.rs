@@ -7,7 +7,7 @@ use crate::console;
 use crate::file_name::file_name;
 use crate::judge::Observer;
 use crate::judge::{Attempt, Drawn, Judge, NoPicture};
-use crate::methods::{ShadowMethod, parameters};
+use crate::methods::{Registry, ShadowMethod};
 use crate::scene::{CameraKey, CameraPath, ModelSearch, Scene, SceneFile, View, export};
 use crate::stress::minimise::{MinimiseError, Minimised, minimise};
 use anyhow::Context;
@@ -59,8 +59,8 @@ impl Observer for Limited<'_> {
     }
 }
 
-pub(super) fn execute(args: &MinimiseArgs) -> anyhow::Result<()> {
-    let methods = [parameters::parse_method(&args.method)?];
+pub(super) fn execute(args: &MinimiseArgs, registry: &Registry) -> anyhow::Result<()> {
+    let methods = [registry.parse(&args.method)?];
     let scene = args.shot.load()?;
     let view = args.shot.view(&scene)?;
     let scene = still(scene, &view, &args.method);

@@ -17,12 +17,14 @@ mod stress;
 mod values;
 
 use crate::config::ConfigError;
+use crate::console;
 use crate::gpu::{Gpu, GpuOptions, messages};
-use crate::methods::ParameterError;
+use crate::methods::{ParameterError, Registry};
 use crate::metrics;
 use crate::reference::ReferenceCache;
 use crate::report::LegendEntry;
 use clap::{Args, Parser, Subcommand};
+use std::process::ExitCode;
 
 /// Exit code for a wrong command line or configuration.
 const USAGE: u8 = 2;
@@ -75,6 +77,7 @@ impl DeviceArgs {
         let options = GpuOptions {
             adapter: self.adapter.clone(),
             validation: self.validation,
+            ..GpuOptions::default()
         };
         Ok(Gpu::open(&options)?)
     }
@@ -103,28 +106,52 @@ fn check_size(gpu: &Gpu, (width, height): (u32, u32), place: &str) -> Result<(),
     )))
 }
 
+/// The whole program with the methods of `registry`: parses the command line, does what it says, and prints what went
+/// wrong.
+pub fn main(registry: &Registry) -> ExitCode {
+    let done = match Cli::try_parse() {
+        Ok(cli) => cli.execute(registry),
+        // Help is what was asked for, or else what is wrong with the command line.
+        Err(help) if help.use_stderr() => {
+            let _ = help.print();
+            return u8::try_from(help.exit_code()).map_or(ExitCode::FAILURE, ExitCode::from);
+        }
+        Err(help) => {
+            console::note(help.print());
+            console::check_printed()
+        }
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            console::say(&format!("error: {error:#}"));
+            ExitCode::from(exit_code(&error))
+        }
+    }
+}
+
 impl Cli {
-    /// Does what the command line says.
+    /// Does what the command line says, with the methods of `registry`.
     ///
     /// # Errors
-    /// Anything that went wrong; [`exit_code`] tells what that means for the shell.
-    pub fn execute(self) -> anyhow::Result<()> {
+    /// Anything that went wrong.
+    pub fn execute(self, registry: &Registry) -> anyhow::Result<()> {
         match self.command {
-            Command::Run(args) => run::execute(&args, None),
-            Command::Accuracy(args) => accuracy::execute(&args),
-            Command::Render(args) => render::execute(&args),
-            Command::Minimise(args) => minimise::execute(&args),
-            Command::Stress(args) => stress::execute(&args),
-            Command::Fuzz(args) => fuzz::execute(&args),
-            Command::Metamorphic(args) => metamorphic::execute(&args),
-            Command::List(args) => list::execute(&args),
+            Command::Run(args) => run::execute(&args, registry, None),
+            Command::Accuracy(args) => accuracy::execute(&args, registry),
+            Command::Render(args) => render::execute(&args, registry),
+            Command::Minimise(args) => minimise::execute(&args, registry),
+            Command::Stress(args) => stress::execute(&args, registry),
+            Command::Fuzz(args) => fuzz::execute(&args, registry),
+            Command::Metamorphic(args) => metamorphic::execute(&args, registry),
+            Command::List(args) => list::execute(&args, registry),
             Command::Report(args) => report::execute(&args),
         }
     }
 }
 
 /// The exit code of an error: 2 for a wrong command line or configuration, else 1.
-pub fn exit_code(error: &anyhow::Error) -> u8 {
+fn exit_code(error: &anyhow::Error) -> u8 {
     let usage = error.is::<ConfigError>() || error.is::<ParameterError>();
     if usage { USAGE } else { FAILED }
 }

@@ -5,7 +5,7 @@ use super::{DeviceArgs, check_size, outputs, reference_cache, values};
 use crate::console;
 use crate::gpu::{FrameTimer, FrameTimes};
 use crate::judge::{DeviceScene, Verifier};
-use crate::methods::parameters;
+use crate::methods::Registry;
 use crate::metrics::MaskError;
 use crate::record::Image;
 use anyhow::Context;
@@ -74,8 +74,8 @@ struct Output<'a> {
     warnings: Vec<String>,
 }
 
-pub(super) fn execute(args: &RenderArgs) -> anyhow::Result<()> {
-    let method = parameters::parse_method(&args.method)?;
+pub(super) fn execute(args: &RenderArgs, registry: &Registry) -> anyhow::Result<()> {
+    let method = registry.parse(&args.method)?;
     let outputs = [
         ("--out", &args.out),
         ("--mask", &args.mask),

@@ -6,6 +6,7 @@ use crate::bench::{self, RunRequest};
 use crate::config::{Overrides, RunPlan};
 use crate::console;
 use crate::gpu::Gpu;
+use crate::methods::Registry;
 use crate::output;
 use crate::record::RunStatus;
 use crate::record::provenance;
@@ -37,15 +38,19 @@ pub(super) struct RunArgs {
     device: DeviceArgs,
 }
 
-pub(super) fn execute(args: &RunArgs, accuracy: Option<u32>) -> anyhow::Result<()> {
-    let mut plan = RunPlan::read(&args.config, &args.scale)?;
+pub(super) fn execute(
+    args: &RunArgs,
+    registry: &Registry,
+    accuracy: Option<u32>,
+) -> anyhow::Result<()> {
+    let mut plan = RunPlan::read(&args.config, &args.scale, registry)?;
     let overrides = Overrides {
         size_px: args.size,
         frames: args.frames,
         accuracy,
         only: args.only.clone(),
     };
-    overrides.apply(&mut plan)?;
+    overrides.apply(&mut plan, registry)?;
     let gpu = args.device.open()?;
     let place = match args.size {
         Some(_) => "--size".to_owned(),

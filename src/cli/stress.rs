@@ -8,7 +8,7 @@ use crate::console;
 use crate::gpu::{Gpu, shader};
 use crate::judge::Judge;
 use crate::judge::Observer;
-use crate::methods::parameters::parse_method;
+use crate::methods::Registry;
 use crate::record::provenance;
 use crate::record::stress::{FAILURES_DIR, FORMAT, Outcome, ROWS_FILE, StressInfo, StressMethod};
 use crate::record::{DeviceRecord, HostRecord, file_records};
@@ -42,8 +42,8 @@ pub(super) struct StressArgs {
     device: DeviceArgs,
 }
 
-pub(super) fn execute(args: &StressArgs) -> anyhow::Result<()> {
-    let plan = plan(args)?;
+pub(super) fn execute(args: &StressArgs, registry: &Registry) -> anyhow::Result<()> {
+    let plan = plan(args, registry)?;
     let gpu = args.device.open()?;
     let place = match args.size {
         Some(_) => "--size".to_owned(),
@@ -95,13 +95,13 @@ pub(super) fn execute(args: &StressArgs) -> anyhow::Result<()> {
     }
 }
 
-fn plan(args: &StressArgs) -> anyhow::Result<StressPlan> {
+fn plan(args: &StressArgs, registry: &Registry) -> anyhow::Result<StressPlan> {
     let mut plan = match &args.config {
-        Some(path) => StressPlan::read(path)?,
-        None => StressPlan::builtin()?,
+        Some(path) => StressPlan::read(path, registry)?,
+        None => StressPlan::builtin(registry)?,
     };
     if !args.method.is_empty() {
-        let methods = args.method.iter().map(|method| parse_method(method));
+        let methods = args.method.iter().map(|method| registry.parse(method));
         plan.methods = methods.collect::<Result<_, _>>()?;
     }
     if !args.cause.is_empty() {

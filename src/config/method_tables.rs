@@ -3,7 +3,7 @@
 use super::MethodPlan;
 use super::misplaced::{Misplaced, missing, twice};
 use super::sweep::{Point, expand};
-use crate::methods::{self, ShadowMethod, parameters, registry::Registration};
+use crate::methods::{Registration, Registry, ShadowMethod};
 use crate::toml_error;
 use std::collections::BTreeSet;
 use std::ops::Range;
@@ -13,13 +13,14 @@ use toml::de::{DeArray, DeTable, DeValue};
 /// Reads `[[methods]]`: at least one, and none twice.
 pub(crate) fn read_methods(
     value: Option<Spanned<DeValue<'_>>>,
+    registry: &Registry,
 ) -> Result<Vec<MethodPlan>, Misplaced> {
     let example = "id = \"silhouette_ts\"";
     let value = value.ok_or_else(|| missing("methods", example))?;
     let span = value.span();
     match value.into_inner() {
         DeValue::Array(array) if array.is_empty() => Err(missing("methods", example)),
-        DeValue::Array(array) => read_distinct_methods(array),
+        DeValue::Array(array) => read_distinct_methods(array, registry),
         _ => Err(Misplaced::new(
             span,
             "`methods` must be tables: `[[methods]]`",
@@ -27,7 +28,10 @@ pub(crate) fn read_methods(
     }
 }
 
-fn read_distinct_methods(array: DeArray<'_>) -> Result<Vec<MethodPlan>, Misplaced> {
+fn read_distinct_methods(
+    array: DeArray<'_>,
+    registry: &Registry,
+) -> Result<Vec<MethodPlan>, Misplaced> {
     let label = |plan: &MethodPlan| {
         let label = format!("{} {}", plan.method.info().id, plan.method.variant());
         label.trim_end().to_owned()
@@ -36,7 +40,7 @@ fn read_distinct_methods(array: DeArray<'_>) -> Result<Vec<MethodPlan>, Misplace
     let mut names = BTreeSet::new();
     for entry in array {
         let span = entry.span();
-        for plan in read_entry(entry)? {
+        for plan in read_entry(entry, registry)? {
             let name = label(&plan);
             if names.contains(&name) {
                 return Err(twice(span, "method", &name));
@@ -49,7 +53,10 @@ fn read_distinct_methods(array: DeArray<'_>) -> Result<Vec<MethodPlan>, Misplace
 }
 
 /// A method, or one for each combination of the values that the table lists.
-fn read_entry(entry: Spanned<DeValue<'_>>) -> Result<Vec<MethodPlan>, Misplaced> {
+fn read_entry(
+    entry: Spanned<DeValue<'_>>,
+    registry: &Registry,
+) -> Result<Vec<MethodPlan>, Misplaced> {
     let span = entry.span();
     let DeValue::Table(mut table) = entry.into_inner() else {
         return Err(Misplaced::new(
@@ -63,15 +70,15 @@ fn read_entry(entry: Spanned<DeValue<'_>>) -> Result<Vec<MethodPlan>, Misplaced>
     let Some(name) = id.get_ref().as_str() else {
         return Err(Misplaced::new(id.span(), "`id` must be a string"));
     };
-    let registration = methods::find(name)
-        .ok_or_else(|| Misplaced::new(id.span(), parameters::unknown_method(name)))?;
+    let registration =
+        (registry.get(name)).map_err(|error| Misplaced::new(id.span(), error.message))?;
     let plan = |Point { table, on }: Point<'_>| {
-        let method = configure(registration, table, &span)?;
+        let method = configure(registration, &table, &span)?;
         let sweep = on.map(|on| {
             on.sweep(|table| {
                 // What is valid with the swept parameter is so without it, but for a parameter that
                 // needs another: then the curve has no other name than its method's.
-                let curve = configure(registration, table, &span);
+                let curve = configure(registration, &table, &span);
                 curve.map_or(String::new(), |curve| curve.variant())
             })
         });
@@ -82,10 +89,10 @@ fn read_entry(entry: Spanned<DeValue<'_>>) -> Result<Vec<MethodPlan>, Misplaced>
 
 fn configure(
     registration: &Registration,
-    table: DeTable<'_>,
+    table: &DeTable<'_>,
     span: &Range<usize>,
 ) -> Result<Box<dyn ShadowMethod>, Misplaced> {
-    (registration.configure)(&Spanned::new(span.clone(), table)).map_err(|error| {
+    registration.configure(table).map_err(|error| {
         let message = toml_error::with_suggestion(&error.message);
         let id = registration.info.id;
         Misplaced::new(

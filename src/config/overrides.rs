@@ -1,7 +1,7 @@
 //! What the command line changes in a configuration.
 
 use super::{ConfigError, RunPlan, Verification, VerifiedFrames};
-use crate::methods::parameters::unknown_method;
+use crate::methods::Registry;
 
 /// Values that replace the configuration's.
 #[derive(Debug, Clone, Default)]
@@ -18,11 +18,11 @@ pub struct Overrides {
 }
 
 impl Overrides {
-    /// Applies them to a plan.
+    /// Applies them to a plan of methods from `registry`.
     ///
     /// # Errors
     /// When `only` names a method that does not exist or that the plan does not have.
-    pub fn apply(&self, plan: &mut RunPlan) -> Result<(), ConfigError> {
+    pub fn apply(&self, plan: &mut RunPlan, registry: &Registry) -> Result<(), ConfigError> {
         if let Some(size_px) = self.size_px {
             plan.size_px = size_px;
         }
@@ -37,8 +37,8 @@ impl Overrides {
             };
         }
         for id in &self.only {
-            if crate::methods::find(id).is_none() {
-                return Err(ConfigError(format!("--only: {}", unknown_method(id))));
+            if let Err(unknown) = registry.get(id) {
+                return Err(ConfigError(format!("--only: {unknown}")));
             }
             if !plan.methods.iter().any(|plan| plan.method.info().id == id) {
                 return Err(ConfigError(format!(

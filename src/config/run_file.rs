@@ -5,6 +5,7 @@ use super::misplaced::{Misplaced, missing};
 use super::{
     ConfigError, RunPlan, ScenePlan, Verification, VerifiedFrames, find_scene, scene_lookup,
 };
+use crate::methods::Registry;
 use crate::scene::{SceneError, SphereGridError};
 use crate::toml_array::Exactly;
 use crate::toml_error;
@@ -148,26 +149,36 @@ fn default_cell_timeout() -> Spanned<f64> {
 const VERIFIED_FRAMES: u32 = 2;
 
 impl RunPlan {
-    /// Reads and checks a configuration file at one of its scales, and the scene files that it names.
+    /// Reads and checks a configuration file at one of its scales, and the scene files that it names; its methods are
+    /// those of `registry`.
     ///
     /// # Errors
     /// What is wrong, with file, line and column.
-    pub fn read(path: &Path, scale: &str) -> Result<Self, ConfigError> {
+    pub fn read(path: &Path, scale: &str, registry: &Registry) -> Result<Self, ConfigError> {
         let text = read_text(path)?;
         let name = path.display().to_string();
         let base = path.parent().unwrap_or(Path::new(""));
-        Self::parse(&text, &name, base, scale)
+        Self::parse(&text, &name, base, scale, registry)
     }
 
     /// Checks the text of a configuration; `base` is the folder that scene paths start from.
     ///
     /// # Errors
     /// What is wrong, with file, line and column.
-    pub fn parse(text: &str, name: &str, base: &Path, scale: &str) -> Result<Self, ConfigError> {
-        let plan = parse(text, base, scale).map_err(|Misplaced { span, message }| match span {
-            Some(span) => ConfigError(toml_error::at(&span, &message, text, name)),
-            None => ConfigError(format!("{name}: {message}")),
-        })?;
+    pub fn parse(
+        text: &str,
+        name: &str,
+        base: &Path,
+        scale: &str,
+        registry: &Registry,
+    ) -> Result<Self, ConfigError> {
+        let plan =
+            parse(text, base, scale, registry).map_err(
+                |Misplaced { span, message }| match span {
+                    Some(span) => ConfigError(toml_error::at(&span, &message, text, name)),
+                    None => ConfigError(format!("{name}: {message}")),
+                },
+            )?;
         Ok(Self {
             path: name.to_owned(),
             text: text.to_owned(),
@@ -190,9 +201,9 @@ pub(crate) fn read_text(path: &Path) -> Result<String, ConfigError> {
     })
 }
 
-fn parse(text: &str, base: &Path, scale: &str) -> Result<RunPlan, Misplaced> {
+fn parse(text: &str, base: &Path, scale: &str, registry: &Registry) -> Result<RunPlan, Misplaced> {
     let mut document = DeTable::parse(text)?;
-    let methods = read_methods(document.get_mut().remove("methods"))?;
+    let methods = read_methods(document.get_mut().remove("methods"), registry)?;
     let mut wire = Wire::deserialize(Deserializer::from(document))?;
     if wire.scenes.is_empty() {
         return Err(missing("scenes", "scene = \"sphere_grid\""));

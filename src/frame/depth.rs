@@ -1,6 +1,6 @@
 //! The depth buffer of a frame: what of it may be varied for study.
 
-use crate::gpu::{DepthDirection, Gpu, Requirement};
+use crate::gpu::{Capability, DepthDirection, Gpu};
 use crate::scene::View;
 use glam::{Mat4, Vec4};
 use serde::{Deserialize, Serialize};
@@ -35,7 +35,7 @@ impl DepthSetup {
     pub fn check(&self, gpu: &Gpu) -> Result<(), String> {
         match self.format {
             DepthFormat::Float32 => Ok(()),
-            DepthFormat::Unorm24 => gpu.check(Requirement::Depth24),
+            DepthFormat::Unorm24 => gpu.check(Capability::Depth24),
         }
     }
 

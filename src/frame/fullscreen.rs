@@ -51,6 +51,15 @@ pub const fn texture_binding(sample_type: wgpu::TextureSampleType) -> wgpu::Bind
     }
 }
 
+/// The binding type of a whole buffer.
+pub const fn buffer_binding(ty: wgpu::BufferBindingType) -> wgpu::BindingType {
+    wgpu::BindingType::Buffer {
+        ty,
+        has_dynamic_offset: false,
+        min_binding_size: None,
+    }
+}
+
 /// A pipeline that covers the picture.
 pub struct FullscreenDesc<'a> {
     /// Includes shared/fullscreen.wgsl.

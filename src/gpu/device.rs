@@ -1,11 +1,13 @@
-//! Choosing an adapter and opening it.
+//! The device, opened.
 
+use super::adapter::{adapters, choose, unsuitable};
+use super::capability::Capability;
+use super::error::GpuError;
 use super::fault::{DeviceError, Faults, PollFault, poll};
-use super::messages;
 use super::native;
 use super::uploads::Uploads;
 use crate::memory;
-use serde::Serialize;
+use std::collections::BTreeSet;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
@@ -16,105 +18,8 @@ pub struct GpuOptions {
     pub adapter: Option<String>,
     /// Switch the driver's validation layers on and collect their messages.
     pub validation: bool,
-}
-
-/// A capability that a method may need beyond what every device must have.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Requirement {
-    /// Tessellation control and evaluation shaders.
-    TessellationStage,
-    /// Geometry shaders.
-    GeometryStage,
-    /// A 32-bit float depth buffer with 8 bits of stencil.
-    StencilBuffer,
-    /// A 24-bit depth buffer with 8 bits of stencil.
-    Depth24,
-}
-
-impl Requirement {
-    /// What is needed, as a phrase for people.
-    pub fn label(self) -> &'static str {
-        match self {
-            Self::TessellationStage => "tessellation shaders (Vulkan)",
-            Self::GeometryStage => "geometry shaders (Vulkan)",
-            Self::StencilBuffer => "a 32-bit float depth buffer with stencil",
-            Self::Depth24 => "a 24-bit depth buffer with stencil (Vulkan)",
-        }
-    }
-}
-
-/// Why no device could be opened.
-#[derive(Debug, thiserror::Error)]
-pub enum GpuError {
-    /// The system has no driver that wgpu can use.
-    #[error(
-        "no graphics device found: install a Vulkan driver (scripts/run.sh installs Mesa's software driver where it may)"
-    )]
-    NoAdapter,
-    /// `--adapter` names none of the adapters.
-    #[error("no adapter's name contains `{wanted}`; there are: {}", .found.join(", "))]
-    NoSuchAdapter {
-        /// The name asked for.
-        wanted: String,
-        /// The names that exist.
-        found: Vec<String>,
-    },
-    /// The adapter lacks something that every run needs.
-    #[error("`{adapter}` cannot run svbench: it lacks {missing}")]
-    Unsuitable {
-        /// The adapter's name.
-        adapter: String,
-        /// What is missing.
-        missing: String,
-    },
-    /// Validation is asked for where nothing validates.
-    #[error(
-        "--validation: `{adapter}` runs on {backend}, and the validation layers are of Vulkan alone: name another \
-         device with --adapter, or leave --validation out"
-    )]
-    ValidationNeedsVulkan {
-        /// The adapter's name.
-        adapter: String,
-        /// What it runs on.
-        backend: String,
-    },
-    /// Validation is asked for and its layers are not there.
-    #[error(
-        "--validation: the Vulkan loader finds no layer VK_LAYER_KHRONOS_validation: install the validation layers \
-         (Debian and Ubuntu: vulkan-validationlayers; Fedora: vulkan-validation-layers; else the Vulkan SDK), or \
-         name their folder in VK_ADD_LAYER_PATH"
-    )]
-    NoValidationLayer,
-    /// The driver refused to open the device.
-    #[error("`{adapter}` could not be opened: {reason}")]
-    Open {
-        /// The adapter's name.
-        adapter: String,
-        /// The driver's words.
-        reason: String,
-    },
-}
-
-/// One adapter of this machine, for `svbench list devices`.
-#[derive(Debug, Clone, Serialize)]
-pub struct DeviceSummary {
-    /// The adapter's name.
-    pub name: String,
-    /// `vulkan`, `metal`, `dx12`.
-    pub backend: String,
-    /// As [`type_name`] has it.
-    pub device_type: String,
-    /// Driver name.
-    pub driver: String,
-    /// Driver version text.
-    pub driver_info: String,
-    /// Whether native tessellation shaders can be used.
-    pub tessellation: bool,
-    /// Whether native geometry shaders can be used.
-    pub geometry: bool,
-    /// What keeps svbench from running here at all, if anything.
-    pub unsuitable: Option<String>,
+    /// Open the device as if it did not have these.
+    pub hidden: Vec<Capability>,
 }
 
 /// The opened device. A clone is the same device.
@@ -126,11 +31,9 @@ pub struct Gpu {
     pub queue: wgpu::Queue,
     /// What the adapter says of itself.
     pub info: wgpu::AdapterInfo,
-    /// Which native stages were switched on.
-    pub stages: native::StageSupport,
     pub(super) memory: MemoryLimits,
     pub(super) uploads: Arc<Uploads>,
-    depth_format: wgpu::TextureFormat,
+    capabilities: BTreeSet<Capability>,
     faults: Arc<Faults>,
     options: GpuOptions,
 }
@@ -145,14 +48,11 @@ pub(super) struct MemoryLimits {
 }
 
 /// Every run times its stages.
-const REQUIRED: wgpu::Features =
+pub(super) const REQUIRED: wgpu::Features =
     wgpu::Features::TIMESTAMP_QUERY.union(wgpu::Features::TIMESTAMP_QUERY_INSIDE_ENCODERS);
 
 /// The device is waited for so long at least, however late it is: what it was given late deserves a chance.
 const LEAST_WAIT: Duration = Duration::from_secs(2);
-
-/// Used where the adapter has them.
-const OPTIONAL: wgpu::Features = wgpu::Features::DEPTH32FLOAT_STENCIL8;
 
 impl Gpu {
     /// Opens an adapter: the one named in `options`, else a discrete GPU before an integrated one
@@ -181,35 +81,35 @@ impl Gpu {
                 }
             }
         }
-        let features = REQUIRED | (OPTIONAL & adapter.features());
-        let opened = native::open(&adapter, features).map_err(|reason| GpuError::Open {
-            adapter: info.name.clone(),
-            reason,
-        })?;
-        let stencil = features.contains(wgpu::Features::DEPTH32FLOAT_STENCIL8);
+        let mut capabilities = native::supported(&adapter);
+        capabilities.retain(|capability| !options.hidden.contains(capability));
+        let (device, queue) =
+            native::open(&adapter, REQUIRED, &capabilities).map_err(|reason| GpuError::Open {
+                adapter: info.name.clone(),
+                reason,
+            })?;
         Ok(Self {
             memory: MemoryLimits {
-                most_at_once: native::most_bytes_at_once(&opened.device),
+                most_at_once: native::most_bytes_at_once(&device),
                 host_at_opening: memory::available_bytes(),
             },
-            faults: Faults::of(&opened.device),
-            uploads: Arc::new(Uploads::new(&opened.device)),
+            faults: Faults::of(&device),
+            uploads: Arc::new(Uploads::new(&device)),
             options: options.clone(),
-            device: opened.device,
-            queue: opened.queue,
+            device,
+            queue,
             info,
-            stages: opened.stages,
-            depth_format: if stencil {
-                wgpu::TextureFormat::Depth32FloatStencil8
-            } else {
-                wgpu::TextureFormat::Depth32Float
-            },
+            capabilities,
         })
     }
 
     /// The format of the frame's depth buffer: 32-bit float, with stencil where the device can.
     pub fn depth_format(&self) -> wgpu::TextureFormat {
-        self.depth_format
+        if self.has(Capability::StencilBuffer) {
+            wgpu::TextureFormat::Depth32FloatStencil8
+        } else {
+            wgpu::TextureFormat::Depth32Float
+        }
     }
 
     /// Largest side of a 2D texture.
@@ -217,27 +117,24 @@ impl Gpu {
         self.device.limits().max_texture_dimension_2d
     }
 
-    /// Whether the device meets `requirement`; if not, the reason.
+    /// Whether the device has a capability.
+    pub fn has(&self, capability: Capability) -> bool {
+        self.capabilities.contains(&capability)
+    }
+
+    /// Whether the device has a capability that something needs; if not, the reason.
     ///
     /// # Errors
     /// The reason, as a sentence for people.
-    pub fn check(&self, requirement: Requirement) -> Result<(), String> {
-        let met = match requirement {
-            Requirement::TessellationStage => self.stages.tessellation,
-            Requirement::GeometryStage => self.stages.geometry,
-            Requirement::Depth24 => self.stages.depth24,
-            Requirement::StencilBuffer => {
-                self.depth_format == wgpu::TextureFormat::Depth32FloatStencil8
-            }
-        };
-        if met {
+    pub fn check(&self, capability: Capability) -> Result<(), String> {
+        if self.has(capability) {
             return Ok(());
         }
-        let label = requirement.label();
+        let words = capability.words();
         Err(if self.info.backend == wgpu::Backend::Vulkan {
-            format!("needs {label}, which {} does not have", self.info.name)
+            format!("needs {words}, which {} does not have", self.info.name)
         } else {
-            format!("needs {label}; this device runs on {}", self.info.backend)
+            format!("needs {words}; this device runs on {}", self.info.backend)
         })
     }
 
@@ -342,103 +239,4 @@ impl Gpu {
     pub fn reopen(&self) -> Result<Self, GpuError> {
         Self::open(&self.options)
     }
-}
-
-/// `discrete_gpu`, `integrated_gpu`, `virtual_gpu`, `cpu` or `other`.
-pub fn type_name(kind: wgpu::DeviceType) -> &'static str {
-    match kind {
-        wgpu::DeviceType::DiscreteGpu => "discrete_gpu",
-        wgpu::DeviceType::IntegratedGpu => "integrated_gpu",
-        wgpu::DeviceType::VirtualGpu => "virtual_gpu",
-        wgpu::DeviceType::Cpu => "cpu",
-        wgpu::DeviceType::Other => "other",
-    }
-}
-
-/// All adapters of this machine, in the order in which they would be chosen.
-pub fn list_devices() -> Vec<DeviceSummary> {
-    adapters(false)
-        .iter()
-        .map(|adapter| {
-            let info = adapter.get_info();
-            let stages = native::support(adapter);
-            DeviceSummary {
-                name: info.name,
-                backend: info.backend.to_string(),
-                device_type: type_name(info.device_type).to_owned(),
-                driver: info.driver,
-                driver_info: info.driver_info,
-                tessellation: stages.tessellation,
-                geometry: stages.geometry,
-                unsuitable: unsuitable(adapter),
-            }
-        })
-        .collect()
-}
-
-fn adapters(validation: bool) -> Vec<wgpu::Adapter> {
-    messages::install();
-    let flags = if validation {
-        // DEBUG as well: only with it do the layers' messages come to the logger.
-        wgpu::InstanceFlags::VALIDATION | wgpu::InstanceFlags::DEBUG
-    } else {
-        wgpu::InstanceFlags::empty()
-    };
-    let instance = wgpu::Instance::new(wgpu::InstanceDescriptor {
-        backends: wgpu::Backends::PRIMARY,
-        flags,
-        ..wgpu::InstanceDescriptor::new_without_display_handle()
-    });
-    let mut adapters = pollster::block_on(instance.enumerate_adapters(wgpu::Backends::PRIMARY));
-    adapters.sort_by_key(|adapter| rank(&adapter.get_info()));
-    adapters
-}
-
-/// Best first; Vulkan before another backend of the same device, since only it has all stages.
-fn rank(info: &wgpu::AdapterInfo) -> (u8, u8) {
-    let kind = match info.device_type {
-        wgpu::DeviceType::DiscreteGpu => 0,
-        wgpu::DeviceType::IntegratedGpu => 1,
-        wgpu::DeviceType::VirtualGpu => 2,
-        wgpu::DeviceType::Other => 3,
-        wgpu::DeviceType::Cpu => 4,
-    };
-    (kind, u8::from(info.backend != wgpu::Backend::Vulkan))
-}
-
-fn choose(adapters: Vec<wgpu::Adapter>, wanted: Option<&str>) -> Result<wgpu::Adapter, GpuError> {
-    if adapters.is_empty() {
-        return Err(GpuError::NoAdapter);
-    }
-    let Some(wanted) = wanted else {
-        // A machine may list a device that lacks what we need before one that has it.
-        let fit = adapters
-            .iter()
-            .position(|adapter| unsuitable(adapter).is_none());
-        return adapters
-            .into_iter()
-            .nth(fit.unwrap_or(0))
-            .ok_or(GpuError::NoAdapter);
-    };
-    let name = |adapter: &wgpu::Adapter| adapter.get_info().name;
-    let found = adapters.iter().map(name).collect();
-    let matches = |text: String| text.to_lowercase().contains(&wanted.to_lowercase());
-    adapters
-        .into_iter()
-        .find(|adapter| matches(name(adapter)))
-        .ok_or_else(|| GpuError::NoSuchAdapter {
-            wanted: wanted.to_owned(),
-            found,
-        })
-}
-
-fn unsuitable(adapter: &wgpu::Adapter) -> Option<String> {
-    let missing = REQUIRED - adapter.features();
-    (!missing.is_empty()).then(|| {
-        missing
-            .iter_names()
-            .map(|(name, _)| name.to_lowercase())
-            .collect::<Vec<_>>()
-            .join(", ")
-    })
 }

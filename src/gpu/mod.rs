@@ -4,8 +4,11 @@
 //! This is the only room with `unsafe` code. [`native`] holds all that talks to Vulkan directly;
 //! its public face is safe.
 
+mod adapter;
+mod capability;
 mod depth;
-pub mod device;
+mod device;
+mod error;
 mod fault;
 pub mod messages;
 pub mod native;
@@ -19,8 +22,11 @@ pub mod timeline;
 pub mod timer;
 mod uploads;
 
+pub use adapter::{DeviceSummary, list_devices, type_name};
+pub use capability::Capability;
 pub use depth::DepthDirection;
-pub use device::{DeviceSummary, Gpu, GpuError, GpuOptions, Requirement, list_devices};
+pub use device::{Gpu, GpuOptions};
+pub use error::GpuError;
 pub use fault::DeviceError;
 pub use recorder::FrameRecorder;
 pub use stage::Stage;

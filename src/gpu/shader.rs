@@ -14,27 +14,36 @@ static SHADERS: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/shaders");
 /// # Panics
 /// When a file is missing: sources are part of the program, so that is a bug.
 pub fn source(path: &str) -> String {
-    let mut seen = BTreeSet::new();
-    let mut text = String::new();
-    append(path, &mut seen, &mut text);
-    text
+    with_includes(file(path), BTreeSet::from([path.to_owned()]))
 }
 
-fn append(path: &str, seen: &mut BTreeSet<String>, text: &mut String) {
-    if !seen.insert(path.to_owned()) {
-        return;
-    }
+/// A text with all its includes resolved, each file at most once and none of those seen before.
+fn with_includes(text: &str, mut seen: BTreeSet<String>) -> String {
+    let mut joined = String::new();
+    append(text, &mut seen, &mut joined);
+    joined
+}
+
+fn file(path: &str) -> &'static str {
     let file = SHADERS.get_file(path).and_then(|file| file.contents_utf8());
     let Some(file) = file else {
         panic!("shader source `{path}` is not part of the program")
     };
-    for line in file.lines() {
+    file
+}
+
+fn append(source: &str, seen: &mut BTreeSet<String>, text: &mut String) {
+    for line in source.lines() {
         match line
             .trim()
             .strip_prefix("#include \"")
             .and_then(|rest| rest.strip_suffix('"'))
         {
-            Some(included) => append(included, seen, text),
+            Some(included) => {
+                if seen.insert(included.to_owned()) {
+                    append(file(included), seen, text);
+                }
+            }
             None => {
                 text.push_str(line);
                 text.push('\n');
@@ -65,6 +74,14 @@ pub fn wgsl(device: &wgpu::Device, path: &str) -> wgpu::ShaderModule {
     device.create_shader_module(wgpu::ShaderModuleDescriptor {
         label: Some(path),
         source: wgpu::ShaderSource::Wgsl(source(path).into()),
+    })
+}
+
+/// A wgpu shader module of a method from outside of this crate: `text` may include the files of `shaders/`.
+pub fn wgsl_text(device: &wgpu::Device, label: &str, text: &str) -> wgpu::ShaderModule {
+    device.create_shader_module(wgpu::ShaderModuleDescriptor {
+        label: Some(label),
+        source: wgpu::ShaderSource::Wgsl(with_includes(text, BTreeSet::new()).into()),
     })
 }
 

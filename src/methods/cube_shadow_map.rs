@@ -35,14 +35,6 @@ pub(super) static INFO: MethodInfo = MethodInfo {
         ],
     ],
     tolerated_share: depth_map::TOLERATED_SHARE,
-    parameters: &[
-        &[(
-            "resolution",
-            "2048",
-            "side of each of the six faces in texels, up to the device's limit",
-        )],
-        depth_map::PARAMETERS,
-    ],
 };
 
 /// The map, in six views.
@@ -58,6 +50,8 @@ impl MapKind for SixViews {
     }
 
     const RESOLUTION: u32 = 2048;
+    const RESOLUTION_WORDS: &'static str =
+        "side of each of the six faces in texels, up to the device's limit";
 
     fn prepare(
         context: &PrepareContext<'_>,

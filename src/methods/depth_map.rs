@@ -2,36 +2,14 @@
 
 use super::light_depth::Rounding;
 use super::limit::PRECISION_LIMIT;
-use super::parameters::{Parameters, in_range};
 use super::{
-    BiasSearch, Bound, Limit, MethodError, MethodInfo, Parameter, PrepareContext, ShadowMethod,
+    BiasSearch, Bound, Domain, Limit, MethodError, MethodInfo, PrepareContext, ShadowMethod,
 };
 use crate::frame::PreparedMethod;
 use crate::metrics::Label;
+use crate::parameters;
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
 use std::fmt;
-use std::marker::PhantomData;
-
-/// See [`super::MethodInfo::parameters`]; each kind of map has its own resolution.
-pub(super) const PARAMETERS: &[Parameter] = &[
-    (
-        "constant_bias",
-        "12",
-        "how far surfaces are taken to be nearer to the light, in units of rounding: half the last bit of the \
-         largest coordinate of scene, light and eye; at least 0",
-    ),
-    (
-        "slope_bias",
-        "2.0",
-        "depth bias in texels times the slope of the surface, at least 0; search: in a run, the smallest \
-         without acne",
-    ),
-    (
-        "pcf",
-        "1",
-        "side of the square of texels whose answers are averaged: 1, 3, 5, ... 15",
-    ),
-];
 
 /// See [`MethodInfo::tolerated_share`]: at true edges a map is wrong by a texel, which may be several pixels.
 pub(super) const TOLERATED_SHARE: f64 = 0.0025;
@@ -118,11 +96,13 @@ impl<'de> Deserialize<'de> for SlopeBias {
 }
 
 /// A kind of shadow map.
-pub(super) trait MapKind: Clone + 'static {
+pub(super) trait MapKind: fmt::Debug + Clone + 'static {
     /// The method that draws it.
     fn info() -> &'static MethodInfo;
     /// Side of the map unless told otherwise.
     const RESOLUTION: u32;
+    /// What the resolution is.
+    const RESOLUTION_WORDS: &'static str;
     /// Makes it ready for a scene.
     fn prepare(
         context: &PrepareContext<'_>,
@@ -143,52 +123,23 @@ pub(super) struct MapParameters {
     pub pcf: u32,
 }
 
-/// A method that looks a map up; the two differ in the map, nothing else.
-#[derive(Debug, Clone, Serialize, Deserialize)]
-#[serde(default, bound = "")]
-pub(super) struct DepthMap<K: MapKind> {
-    resolution: u32,
-    constant_bias: i32,
-    slope_bias: SlopeBias,
-    pcf: u32,
-    #[serde(skip)]
-    kind: PhantomData<K>,
-}
-
-impl<K: MapKind> Default for DepthMap<K> {
-    fn default() -> Self {
-        Self {
-            resolution: K::RESOLUTION,
-            constant_bias: Rounding::DEFAULT_UNITS,
-            slope_bias: SlopeBias::Fixed(2.0),
-            pcf: 1,
-            kind: PhantomData,
-        }
-    }
-}
-
-impl<K: MapKind> Parameters for DepthMap<K> {
-    fn validate(&self) -> Result<(), String> {
-        in_range("resolution", self.resolution, 1..=1 << 16)?;
-        in_range("constant_bias", self.constant_bias, 0..=i32::MAX)?;
-        if let SlopeBias::Fixed(texels) = self.slope_bias {
-            in_range("slope_bias", texels, 0.0..=1e6)?;
-        }
-        in_range("pcf", self.pcf, 1..=MAX_PCF)?;
-        if self.pcf.is_multiple_of(2) {
-            return Err(format!("`pcf` is {}; it must be odd", self.pcf));
-        }
-        Ok(())
+parameters! {
+    /// A method that looks a map up; the two differ in the map, nothing else.
+    pub(super) struct DepthMap<K: MapKind> {
+        resolution: u32 = K::RESOLUTION, in 1..=1 << 16, K::RESOLUTION_WORDS;
+        constant_bias: i32 = Rounding::DEFAULT_UNITS, in 0..=i32::MAX,
+            "how far surfaces are taken to be nearer to the light, in units of rounding: half the last bit of the \
+             largest coordinate of scene, light and eye";
+        slope_bias: SlopeBias = SlopeBias::Fixed(2.0), in Domain::or_word(0.0..=1e6, SEARCH),
+            "depth bias in texels times the slope of the surface; search: in a run, the smallest without acne";
+        pcf: u32 = 1, in Domain::odd(1..=MAX_PCF),
+            "side of the square of texels whose answers are averaged";
     }
 }
 
 impl<K: MapKind> ShadowMethod for DepthMap<K> {
     fn info(&self) -> &'static MethodInfo {
         K::info()
-    }
-
-    fn variant(&self) -> String {
-        self.difference()
     }
 
     fn bias_search(&self) -> Option<BiasSearch<'_>> {

@@ -1,11 +1,8 @@
 //! The casters' depth as the light sees it: what both kinds of shadow map draw and look up.
 
 use super::{MethodError, PrepareContext};
-use crate::frame::fullscreen::{
-    self, FullscreenDesc, bind_group, bind_group_layout, texture_binding,
-};
-use crate::frame::targets::MASK_FORMAT;
-use crate::frame::{Frame, SceneBuffers};
+use crate::frame::fullscreen::{buffer_binding, texture_binding};
+use crate::frame::{Frame, MaskPass, MaskShader, SceneBuffers};
 use crate::geometry::Bounds;
 use crate::gpu::{Gpu, Stage, shader};
 use bytemuck::{Pod, Zeroable};
@@ -154,24 +151,8 @@ pub(super) fn draw(
     stage.count_draws(draw_calls);
 }
 
-/// Keeps the larger of what is there and what is drawn.
-const MAX_BLEND: wgpu::BlendState = {
-    let component = wgpu::BlendComponent {
-        src_factor: wgpu::BlendFactor::One,
-        dst_factor: wgpu::BlendFactor::One,
-        operation: wgpu::BlendOperation::Max,
-    };
-    wgpu::BlendState {
-        color: component,
-        alpha: component,
-    }
-};
-
 /// The pass over the picture that looks the map up.
-pub(super) struct Lookup {
-    pipeline: wgpu::RenderPipeline,
-    inputs: wgpu::BindGroup,
-}
+pub(super) struct Lookup(MaskPass);
 
 impl Lookup {
     /// `shader` reads the frame's depth, the map, and a uniform `light`, and averages a square of `pcf`
@@ -184,60 +165,31 @@ impl Lookup {
         pcf: u32,
     ) -> Self {
         let PrepareContext { gpu, stage, .. } = context;
-        let device = &gpu.device;
         let depth = texture_binding(wgpu::TextureSampleType::Depth);
         let map_binding = wgpu::BindingType::Texture {
             sample_type: wgpu::TextureSampleType::Depth,
             view_dimension: dimension,
             multisampled: false,
         };
-        let uniform = wgpu::BindingType::Buffer {
-            ty: wgpu::BufferBindingType::Uniform,
-            has_dynamic_offset: false,
-            min_binding_size: None,
-        };
-        let types = [depth, map_binding, uniform];
-        let fragment = wgpu::ShaderStages::FRAGMENT;
-        let input_layout = bind_group_layout(device, "lookup", fragment, &types);
-        let resources = [
-            wgpu::BindingResource::TextureView(&stage.targets.depth_only_view),
-            wgpu::BindingResource::TextureView(map),
-            light.as_entire_binding(),
+        let uniform = buffer_binding(wgpu::BufferBindingType::Uniform);
+        let texture = wgpu::BindingResource::TextureView;
+        let inputs = [
+            (depth, texture(&stage.targets.depth_only_view)),
+            (map_binding, texture(map)),
+            (uniform, light.as_entire_binding()),
         ];
-        let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
-            label: Some("lookup"),
-            bind_group_layouts: &[Some(&stage.uniform.layout), Some(&input_layout)],
-            ..Default::default()
-        });
-        let module = shader::wgsl(device, shader);
-        Self {
-            pipeline: fullscreen::pipeline(
-                device,
-                &FullscreenDesc {
-                    constants: &[("pcf", f64::from(pcf))],
-                    // What is dark already stays so.
-                    blend: Some(MAX_BLEND),
-                    ..FullscreenDesc::new(&module, "lookup", &layout, MASK_FORMAT)
-                },
-            ),
-            inputs: bind_group(device, &input_layout, &resources),
-        }
+        let lookup = MaskShader {
+            module: &shader::wgsl(&gpu.device, shader),
+            fragment: "lookup",
+            constants: &[("pcf", f64::from(pcf))],
+            inputs: &inputs,
+        };
+        Self(MaskPass::new(&gpu.device, stage, &lookup))
     }
 
     /// Records the stage `lookup`.
     pub(super) fn record(&self, frame: &mut Frame<'_>) {
         let resources = frame.resources();
-        frame.stage("lookup", |stage| {
-            let mask = &resources.targets.mask_view;
-            let load = wgpu::LoadOp::Load;
-            let encoder = stage.encoder();
-            let mut pass = fullscreen::pass(encoder, "shadow map lookup", mask, load, None);
-            pass.set_pipeline(&self.pipeline);
-            pass.set_bind_group(0, &resources.uniform.bind_group, &[]);
-            pass.set_bind_group(1, &self.inputs, &[]);
-            pass.draw(0..3, 0..1);
-            drop(pass);
-            stage.count_draws(1);
-        });
+        frame.stage("lookup", |stage| self.0.record(stage, resources));
     }
 }

@@ -57,7 +57,7 @@ impl fmt::Display for Bound {
 
 impl Limit {
     /// One that no cause of the stress corpus shows.
-    pub(super) const fn in_words(text: &'static str) -> Self {
+    pub const fn in_words(text: &'static str) -> Self {
         Self {
             text,
             with: &[],

@@ -6,11 +6,12 @@
 
 mod cube_shadow_map;
 mod depth_map;
+mod domain;
 mod frustum;
 mod light_depth;
 mod limit;
-pub mod parameters;
-pub mod registry;
+mod parameters;
+mod registry;
 mod shadow_map;
 mod silhouette;
 mod silhouette_gs;
@@ -20,20 +21,20 @@ mod triangle_ts;
 mod volume_parameters;
 mod volumes;
 
+pub use domain::Domain;
 pub use limit::{Bound, Limit};
-pub use parameters::ParameterError;
-pub use registry::{REGISTRY, Registration, find};
+pub use parameters::{
+    Parameter, ParameterError, ParameterValue, Parameters, read as read_parameter,
+};
+pub use registry::{Registration, Registry};
 
 use crate::frame::{DepthSetup, FrameResources, PreparedMethod};
 use crate::geometry::Topology;
-use crate::gpu::{DeviceError, Gpu, Requirement};
+use crate::gpu::{Capability, DeviceError, Gpu};
 use crate::scene::Scene;
 use serde::Serialize;
 use std::cell::OnceCell;
 use std::rc::Rc;
-
-/// A parameter: name, default, meaning.
-pub type Parameter = (&'static str, &'static str, &'static str);
 
 /// What a method is, needs and cannot do; printed by `svbench list methods`.
 #[derive(Debug, Clone, Serialize)]
@@ -45,16 +46,13 @@ pub struct MethodInfo {
     /// Where it comes from.
     pub source: &'static str,
     /// What it needs of the device.
-    pub needs: &'static [Requirement],
+    pub needs: &'static [Capability],
     /// What it cannot do or gets wrong, by design: what it shares with others, and its own.
     #[serde(serialize_with = "in_one_list")]
     pub limits: &'static [&'static [Limit]],
     /// The part of a picture that may be wrong away from true edges before that is a failure: 0 for a method
     /// that is exact to the pixel.
     pub tolerated_share: f64,
-    /// Its parameters, those that it shares with others and its own.
-    #[serde(serialize_with = "in_one_list")]
-    pub parameters: &'static [&'static [Parameter]],
 }
 
 fn in_one_list<T: Serialize, S: serde::Serializer>(
@@ -72,7 +70,7 @@ impl MethodInfo {
     pub fn check(&self, gpu: &Gpu) -> Result<(), String> {
         self.needs
             .iter()
-            .try_for_each(|requirement| gpu.check(*requirement))
+            .try_for_each(|capability| gpu.check(*capability))
     }
 }
 
@@ -182,13 +180,15 @@ pub fn full_name(id: &str, variant: &str) -> String {
 }
 
 /// A method with its parameters.
-pub trait ShadowMethod {
+pub trait ShadowMethod: Parameters {
     /// What it is.
     fn info(&self) -> &'static MethodInfo;
 
     /// The parameters that differ from their defaults, `name=value` joined by commas; empty for
     /// the default variant.
-    fn variant(&self) -> String;
+    fn variant(&self) -> String {
+        parameters::difference(self.parameters())
+    }
 
     /// Id and variant as they are written on the command line: `id,name=value`.
     fn name(&self) -> String {

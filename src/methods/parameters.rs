@@ -1,11 +1,30 @@
-//! Method parameters: typed fields, read from a table of a configuration or from a command line.
+//! Method parameters: each declared once, with its type, default, range and meaning.
+//!
+//! [`parameters!`](crate::parameters!) makes the struct that a method works with. What is read from a configuration,
+//! refused, listed and written into results comes from the same lines:
+//!
+//! ```
+//! svbench::parameters! {
+//!     /// What the map is drawn with.
+//!     pub struct Map {
+//!         resolution: u32 = 2048, in 1..=65536, "side in texels";
+//!     }
+//! }
+//! use svbench::methods::Parameters;
+//! assert_eq!(Map::default().resolution, 2048);
+//! assert_eq!(Map::default().parameters()[0].domain.to_string(), "from 1 to 65536");
+//! ```
 
-use super::ShadowMethod;
+use super::domain::Domain;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
+use serde_json::Value;
 use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue, ValueDeserializer};
+
+/// A value of a configuration, with its place.
+pub type ParameterValue<'a> = Spanned<DeValue<'a>>;
 
 /// A parameter that is unknown, of the wrong type or impossible.
 #[derive(Debug, thiserror::Error)]
@@ -17,6 +36,16 @@ pub struct ParameterError {
     pub span: Option<Range<usize>>,
 }
 
+impl ParameterError {
+    /// One that says where it is by itself.
+    pub(super) fn plain(message: String) -> Self {
+        Self {
+            message,
+            span: None,
+        }
+    }
+}
+
 impl From<toml::de::Error> for ParameterError {
     fn from(error: toml::de::Error) -> Self {
         Self {
@@ -26,153 +55,206 @@ impl From<toml::de::Error> for ParameterError {
     }
 }
 
-/// The parameters of one method: a struct of typed fields with defaults.
-pub trait Parameters: Serialize + DeserializeOwned + Default {
-    /// Checks values that no type rules out.
-    ///
-    /// # Errors
-    /// What is impossible, naming the parameter.
-    fn validate(&self) -> Result<(), String>;
-
-    /// The parameters that are not at their defaults, `name=value` joined by commas.
-    fn difference(&self) -> String {
-        let defaults = fields(&Self::default());
-        fields(self)
-            .into_iter()
-            .filter(|(name, value)| defaults.get(name) != Some(value))
-            .map(|(name, value)| match value {
-                serde_json::Value::String(text) => format!("{name}={text}"),
-                value => format!("{name}={value}"),
-            })
-            .collect::<Vec<_>>()
-            .join(",")
-    }
+/// A parameter of a method, as declared and as set.
+#[derive(Debug, Clone, Serialize)]
+pub struct Parameter {
+    /// Its name in configurations.
+    pub name: &'static str,
+    /// What it is unless set; null for what then depends on something else.
+    pub default: Value,
+    /// What it can be set to.
+    #[serde(flatten)]
+    pub domain: Domain,
+    /// What it means.
+    pub words: String,
+    /// What it is set to.
+    #[serde(skip)]
+    pub value: Value,
 }
 
-/// Reads a method from its table of parameters.
-pub(super) fn configure<M>(
-    table: &Spanned<DeTable<'_>>,
-) -> Result<Box<dyn ShadowMethod>, ParameterError>
-where
-    M: Parameters + ShadowMethod + 'static,
-{
-    let span = table.span();
-    check_known::<M>(table.get_ref())?;
-    let method = read::<M>(table.get_ref().clone())
-        .map_err(|error| blame::<M>(table.get_ref()).unwrap_or(error))?;
-    match method.validate() {
-        Ok(()) => Ok(Box::new(method)),
-        Err(message) => Err(ParameterError {
-            message,
-            span: Some(span),
-        }),
-    }
-}
-
-fn read<M: Parameters>(table: DeTable<'_>) -> Result<M, ParameterError> {
-    let value = DeValue::Table(table);
-    Ok(M::deserialize(ValueDeserializer::from(Spanned::new(
-        0..0,
-        value,
-    )))?)
-}
-
-/// Serde cannot refuse unknown fields where a struct takes up another's.
-fn check_known<M: Parameters>(table: &DeTable<'_>) -> Result<(), ParameterError> {
-    let known = fields(&M::default());
-    let unknown = table
-        .keys()
-        .find(|key| !known.contains_key(key.get_ref().as_ref()));
-    let Some(unknown) = unknown else {
-        return Ok(());
-    };
-    let names: Vec<_> = known.keys().map(|name| format!("`{name}`")).collect();
-    Err(ParameterError {
-        message: format!(
-            "unknown field `{}`, expected one of {}",
-            unknown.get_ref(),
-            names.join(", ")
-        ),
-        span: Some(unknown.span()),
-    })
-}
-
-/// The parameter that is wrong by itself: serde does not say where, for one that a struct takes up from
-/// another.
-fn blame<M: Parameters>(table: &DeTable<'_>) -> Option<ParameterError> {
-    table.iter().find_map(|(key, value)| {
-        let alone = DeTable::from_iter([(key.clone(), value.clone())]);
-        let error = read::<M>(alone).err()?;
-        let span = Some(value.span());
-        Some(ParameterError { span, ..error })
-    })
-}
-
-/// The parameters by name.
-fn fields<P: Parameters>(parameters: &P) -> serde_json::Map<String, serde_json::Value> {
-    match serde_json::to_value(parameters) {
-        Ok(serde_json::Value::Object(map)) => map,
-        _ => unreachable!("parameters are a struct of plain values"),
-    }
-}
-
-/// Reads `ID[,key=value...]`, the form of command lines. Values are TOML; what is no TOML value
-/// is taken as a string.
-///
-/// # Errors
-/// A message for people that names the nearest known id or parameter.
-pub fn parse_method(text: &str) -> Result<Box<dyn ShadowMethod>, ParameterError> {
-    let (id, rest) = text.split_once(',').unwrap_or((text, ""));
-    let plain = |message| ParameterError {
-        message,
-        span: None,
-    };
-    let registration = super::find(id).ok_or_else(|| plain(unknown_method(id)))?;
-    let mut document = String::new();
-    for pair in rest.split(',').filter(|pair| !pair.is_empty()) {
-        let (key, value) = pair
-            .split_once('=')
-            .ok_or_else(|| plain(format!("`{pair}` in `{text}` is not of the form key=value")))?;
-        match ValueDeserializer::parse(value) {
-            Ok(_) => document.push_str(&format!("{key} = {value}\n")),
-            Err(_) => document.push_str(&format!("{key} = {value:?}\n")),
+impl Parameter {
+    /// A parameter of a type that reads and writes plain values.
+    pub fn new<T: Serialize>(
+        name: &'static str,
+        (value, default): (&T, &T),
+        domain: Domain,
+        words: impl Into<String>,
+    ) -> Self {
+        let json = |value| match serde_json::to_value(value) {
+            Ok(value) => value,
+            Err(error) => panic!("the parameter `{name}` is no plain value: {error}"),
+        };
+        Self {
+            name,
+            default: json(default),
+            domain,
+            words: words.into(),
+            value: json(value),
         }
     }
-    let table = DeTable::parse(&document).map_err(ParameterError::from)?;
-    (registration.configure)(&table).map_err(|error| {
-        let message = crate::toml_error::with_suggestion(&error.message);
-        plain(format!("method `{id}`: {message}"))
+
+    /// Its default, as in configurations, without quotes.
+    pub fn default_text(&self) -> String {
+        text(&self.default)
+    }
+
+    /// Whether it is set to what it can be.
+    fn check(&self) -> Result<(), String> {
+        if self.domain.contains(&self.value) {
+            return Ok(());
+        }
+        let value = match &self.value {
+            // What JSON has no number for.
+            Value::Null => "not finite".to_owned(),
+            value => text(value),
+        };
+        let Self { name, domain, .. } = self;
+        Err(format!("`{name}` is {value}; it must be {domain}"))
+    }
+}
+
+fn text(value: &Value) -> String {
+    match value {
+        Value::String(text) => text.clone(),
+        Value::Null => "none".to_owned(),
+        value => value.to_string(),
+    }
+}
+
+/// What has parameters. Implemented by [`parameters!`](crate::parameters!).
+pub trait Parameters {
+    /// All of them.
+    fn parameters(&self) -> Vec<Parameter>;
+
+    /// Sets one; false if none has that name.
+    ///
+    /// # Errors
+    /// When the value is of another type.
+    fn set(&mut self, name: &str, value: &ParameterValue<'_>) -> Result<bool, ParameterError>;
+}
+
+/// A value of a configuration as a type of this program.
+///
+/// # Errors
+/// When it is of another type.
+pub fn read<T: DeserializeOwned>(value: &ParameterValue<'_>) -> Result<T, ParameterError> {
+    let span = value.span();
+    T::deserialize(ValueDeserializer::from(value.clone())).map_err(|error| ParameterError {
+        span: Some(span),
+        ..error.into()
     })
 }
 
-/// The message for an id that is no method.
-pub fn unknown_method(id: &str) -> String {
-    let ids = || {
-        super::REGISTRY
-            .iter()
-            .map(|registration| registration.info.id)
-    };
-    let hint = crate::toml_error::nearest(id, ids())
-        .map(|nearest| format!("; did you mean `{nearest}`?"))
-        .unwrap_or_default();
-    format!(
-        "unknown method `{id}`{hint} (known: {})",
-        ids().collect::<Vec<_>>().join(", ")
-    )
+/// The parameters that are not at their defaults, `name=value` joined by commas, in the order of their names.
+pub(super) fn difference(mut parameters: Vec<Parameter>) -> String {
+    parameters.sort_by_key(|parameter| parameter.name);
+    parameters
+        .iter()
+        .filter(|parameter| parameter.value != parameter.default)
+        .map(|parameter| format!("{}={}", parameter.name, text(&parameter.value)))
+        .collect::<Vec<_>>()
+        .join(",")
 }
 
-/// Checks that a parameter lies in its range.
-pub(super) fn in_range<T: Copy + PartialOrd + std::fmt::Display>(
-    name: &str,
-    value: T,
-    range: std::ops::RangeInclusive<T>,
-) -> Result<(), String> {
-    if range.contains(&value) {
-        return Ok(());
+/// Sets what a table names, and checks it.
+pub(super) fn configure(
+    target: &mut (impl Parameters + ?Sized),
+    table: &DeTable<'_>,
+) -> Result<(), ParameterError> {
+    for (key, value) in table {
+        if !target.set(key.get_ref(), value)? {
+            let known = target.parameters();
+            let names: Vec<_> = known.iter().map(|p| format!("`{}`", p.name)).collect();
+            let (unknown, names) = (key.get_ref(), names.join(", "));
+            return Err(ParameterError {
+                message: format!("unknown field `{unknown}`, expected one of {names}"),
+                span: Some(key.span()),
+            });
+        }
     }
-    Err(format!(
-        "`{name}` is {value}; it must be from {} to {}",
-        range.start(),
-        range.end()
-    ))
+    for parameter in target.parameters() {
+        if let Some(value) = table.get(parameter.name) {
+            parameter.check().map_err(|message| ParameterError {
+                message,
+                span: Some(value.span()),
+            })?;
+        }
+    }
+    Ok(())
+}
+
+/// Declares the struct of a method's parameters: of each its name, type, default, range and meaning, then groups of
+/// parameters that several methods share.
+///
+/// ```text
+/// parameters! {
+///     struct Name {
+///         size: u32 = 8, in 1..=64, "what it is";
+///         shape: Shape = Shape::Round, "an enum needs no range; its words are serde's";
+///         ..common: CommonParameters;
+///     }
+/// }
+/// ```
+///
+/// Gives `Debug`, `Clone`, `Default` and [`Parameters`](crate::methods::Parameters).
+#[macro_export]
+macro_rules! parameters {
+    (@domain $type:ty) => { $crate::methods::Domain::of::<$type>() };
+    (@domain $type:ty, $domain:expr) => { $crate::methods::Domain::from($domain) };
+    (
+        $(#[$meta:meta])*
+        $vis:vis struct $name:ident $(<$kind:ident: $bound:path>)? {
+            $(
+                $(#[$of_field:meta])*
+                $field_vis:vis $field:ident: $type:ty = $default:expr, $(in $domain:expr,)? $words:expr;
+            )*
+            $(..$group:ident: $group_type:ty;)*
+        }
+    ) => {
+        $(#[$meta])*
+        #[derive(Debug, Clone)]
+        $vis struct $name $(<$kind: $bound>)? {
+            $($(#[$of_field])* $field_vis $field: $type,)*
+            $($group: $group_type,)*
+            $(kind: ::std::marker::PhantomData<$kind>,)?
+        }
+
+        impl $(<$kind: $bound>)? Default for $name $(<$kind>)? {
+            fn default() -> Self {
+                Self {
+                    $($field: $default,)*
+                    $($group: <$group_type>::default(),)*
+                    $(kind: ::std::marker::PhantomData::<$kind>,)?
+                }
+            }
+        }
+
+        impl $(<$kind: $bound>)? $crate::methods::Parameters for $name $(<$kind>)? {
+            fn parameters(&self) -> Vec<$crate::methods::Parameter> {
+                #[allow(unused_mut, reason = "there may be no group")]
+                let mut all = vec![$($crate::methods::Parameter::new(
+                    stringify!($field),
+                    (&self.$field, &$default),
+                    $crate::parameters!(@domain $type $(, $domain)?),
+                    $words,
+                )),*];
+                $(all.extend($crate::methods::Parameters::parameters(&self.$group));)*
+                all
+            }
+
+            fn set(
+                &mut self,
+                name: &str,
+                value: &$crate::methods::ParameterValue<'_>,
+            ) -> Result<bool, $crate::methods::ParameterError> {
+                Ok(false
+                    $(|| (name == stringify!($field) && {
+                        self.$field = $crate::methods::read_parameter(value)?;
+                        true
+                    }))*
+                    $(|| $crate::methods::Parameters::set(&mut self.$group, name, value)?)*
+                )
+            }
+        }
+    };
 }

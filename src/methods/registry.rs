@@ -1,52 +1,181 @@
-//! All methods, one line each.
+//! The methods that a program knows.
 
-use super::parameters::{ParameterError, configure};
+use super::parameters::{Parameter, ParameterError, configure};
 use super::{MethodInfo, ShadowMethod};
 use super::{cube_shadow_map, shadow_map, silhouette_gs, silhouette_ts, triangle_gs, triangle_ts};
-use toml::Spanned;
-use toml::de::DeTable;
+use crate::toml_error;
+use std::collections::BTreeSet;
+use toml::de::{DeTable, ValueDeserializer};
 
-type Configure = fn(&Spanned<DeTable<'_>>) -> Result<Box<dyn ShadowMethod>, ParameterError>;
-
-/// A known method: what it is, and how its parameters are read.
+/// A known method: what it is, and how it is made.
 pub struct Registration {
     /// What it is.
     pub info: &'static MethodInfo,
-    /// Reads a table of parameters, without the id.
-    pub configure: Configure,
+    /// Its parameters.
+    pub parameters: Vec<Parameter>,
+    make: fn() -> Box<dyn ShadowMethod>,
 }
 
-/// Every method, in the order in which they are listed.
-pub static REGISTRY: &[Registration] = &[
-    Registration {
-        info: &silhouette_ts::INFO,
-        configure: configure::<silhouette_ts::SilhouetteTs>,
-    },
-    Registration {
-        info: &silhouette_gs::INFO,
-        configure: configure::<silhouette_gs::SilhouetteGs>,
-    },
-    Registration {
-        info: &triangle_ts::INFO,
-        configure: configure::<triangle_ts::TriangleTs>,
-    },
-    Registration {
-        info: &triangle_gs::INFO,
-        configure: configure::<triangle_gs::TriangleGs>,
-    },
-    Registration {
-        info: &shadow_map::INFO,
-        configure: configure::<shadow_map::ShadowMap>,
-    },
-    Registration {
-        info: &cube_shadow_map::INFO,
-        configure: configure::<cube_shadow_map::CubeShadowMap>,
-    },
-];
+impl Registration {
+    fn of<M: ShadowMethod + Default + 'static>() -> Self {
+        let method = M::default();
+        let (info, parameters) = (method.info(), method.parameters());
+        let mut names = BTreeSet::new();
+        for parameter in &parameters {
+            let (id, name) = (info.id, parameter.name);
+            assert!(names.insert(name), "`{id}` declares `{name}` twice");
+            let fits = parameter.default.is_null() || parameter.domain.contains(&parameter.default);
+            assert!(fits, "the default of `{id}`'s `{name}` is out of its range");
+        }
+        Self {
+            info,
+            parameters,
+            make: || Box::new(M::default()),
+        }
+    }
 
-/// The method called `id`.
-pub fn find(id: &str) -> Option<&'static Registration> {
-    REGISTRY
-        .iter()
-        .find(|registration| registration.info.id == id)
+    /// The method with the parameters of a table, which has no id.
+    ///
+    /// # Errors
+    /// When one is unknown, of the wrong type or impossible; the place is the parameter's.
+    pub fn configure(&self, table: &DeTable<'_>) -> Result<Box<dyn ShadowMethod>, ParameterError> {
+        let mut method = (self.make)();
+        configure(method.as_mut(), table)?;
+        Ok(method)
+    }
+}
+
+/// The methods that a program knows, in the order in which they are listed.
+#[derive(Default)]
+pub struct Registry(Vec<Registration>);
+
+impl Registry {
+    /// Those that come with the program, one line each.
+    pub fn builtin() -> Self {
+        Self::default()
+            .with::<silhouette_ts::SilhouetteTs>()
+            .with::<silhouette_gs::SilhouetteGs>()
+            .with::<triangle_ts::TriangleTs>()
+            .with::<triangle_gs::TriangleGs>()
+            .with::<shadow_map::ShadowMap>()
+            .with::<cube_shadow_map::CubeShadowMap>()
+    }
+
+    /// These and one more.
+    ///
+    /// # Panics
+    /// When there is a method of the same id already, or a parameter is declared twice or with a default out of its
+    /// range.
+    #[must_use]
+    pub fn with<M: ShadowMethod + Default + 'static>(mut self) -> Self {
+        let registration = Registration::of::<M>();
+        let id = registration.info.id;
+        assert!(self.find(id).is_none(), "there is a method `{id}` already");
+        self.0.push(registration);
+        self
+    }
+
+    /// All of them.
+    pub fn iter(&self) -> impl Iterator<Item = &Registration> {
+        self.0.iter()
+    }
+
+    fn find(&self, id: &str) -> Option<&Registration> {
+        self.iter().find(|registration| registration.info.id == id)
+    }
+
+    /// The method called `id`.
+    ///
+    /// # Errors
+    /// When there is none; the message names the nearest.
+    pub fn get(&self, id: &str) -> Result<&Registration, ParameterError> {
+        self.find(id).ok_or_else(|| {
+            let ids: Vec<_> = self.iter().map(|known| known.info.id).collect();
+            let hint = toml_error::nearest(id, ids.iter().copied())
+                .map(|nearest| format!("; did you mean `{nearest}`?"))
+                .unwrap_or_default();
+            let known = ids.join(", ");
+            ParameterError::plain(format!("unknown method `{id}`{hint} (known: {known})"))
+        })
+    }
+
+    /// Reads `ID[,key=value...]`, the form of command lines. Values are TOML; what is no TOML value
+    /// is taken as a string.
+    ///
+    /// # Errors
+    /// A message for people that names the nearest known id or parameter.
+    pub fn parse(&self, text: &str) -> Result<Box<dyn ShadowMethod>, ParameterError> {
+        let (id, rest) = text.split_once(',').unwrap_or((text, ""));
+        let registration = self.get(id)?;
+        let mut document = String::new();
+        for pair in rest.split(',').filter(|pair| !pair.is_empty()) {
+            let (key, value) = pair.split_once('=').ok_or_else(|| {
+                ParameterError::plain(format!("`{pair}` in `{text}` is not of the form key=value"))
+            })?;
+            match ValueDeserializer::parse(value) {
+                Ok(_) => document.push_str(&format!("{key} = {value}\n")),
+                Err(_) => document.push_str(&format!("{key} = {value:?}\n")),
+            }
+        }
+        let table = DeTable::parse(&document).map_err(ParameterError::from)?;
+        registration.configure(table.get_ref()).map_err(|error| {
+            let message = toml_error::with_suggestion(&error.message);
+            ParameterError::plain(format!("method `{id}`: {message}"))
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Each default and each choice can be written into a configuration, and is then no difference.
+    #[test]
+    fn what_is_declared_can_be_set() {
+        for known in Registry::builtin().iter() {
+            let id = known.info.id;
+            let set = |name: &str, value: &str| {
+                let method = Registry::builtin().parse(&format!("{id},{name}={value}"));
+                method.unwrap_or_else(|error| panic!("{error}")).variant()
+            };
+            for parameter in &known.parameters {
+                let (name, default) = (parameter.name, parameter.default_text());
+                if !parameter.default.is_null() {
+                    assert_eq!(set(name, &default), "", "{id} {name}");
+                }
+                if let super::super::Domain::Choice { choices } = &parameter.domain {
+                    for choice in choices.iter().filter(|choice| **choice != default) {
+                        assert_eq!(set(name, choice), format!("{name}={choice}"));
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_variant_is_what_differs_in_the_order_of_names() {
+        let registry = Registry::builtin();
+        let text =
+            "silhouette_gs,push_back_px=0.5,near=2,max_multiplicity=3,counting=auto,reach=scene";
+        let method = registry.parse(text).unwrap();
+        assert_eq!(
+            method.variant(),
+            "counting=auto,max_multiplicity=3,near=2.0,push_back_px=0.5"
+        );
+    }
+
+    #[test]
+    fn what_is_no_finite_number_is_refused() {
+        for value in ["near=nan", "near=inf", "near=-inf", "push_back_px=nan"] {
+            let error = Registry::builtin().parse(&format!("triangle_gs,{value}"));
+            let message = error.err().expect("an error").message;
+            assert!(message.contains("not finite; it must be from"), "{message}");
+        }
+    }
+
+    #[test]
+    #[should_panic(expected = "there is a method `shadow_map` already")]
+    fn ids_are_distinct() {
+        let _ = Registry::builtin().with::<shadow_map::ShadowMap>();
+    }
 }

@@ -31,14 +31,6 @@ pub(super) static INFO: MethodInfo = MethodInfo {
         }],
     ],
     tolerated_share: depth_map::TOLERATED_SHARE,
-    parameters: &[
-        &[(
-            "resolution",
-            "8192",
-            "side of the square map in texels, up to the device's limit",
-        )],
-        depth_map::PARAMETERS,
-    ],
 };
 
 /// The map, in one perspective or parallel view.
@@ -54,6 +46,8 @@ impl MapKind for OneView {
     }
 
     const RESOLUTION: u32 = 8192;
+    const RESOLUTION_WORDS: &'static str =
+        "side of the square map in texels, up to the device's limit";
 
     fn prepare(
         context: &PrepareContext<'_>,

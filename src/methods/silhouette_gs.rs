@@ -2,10 +2,9 @@
 //! and 2): the same decision as in tessellation shaders, one edge a primitive.
 
 use super::MethodInfo;
-use super::silhouette::{INPUT_PARAMETER, SideStage, Silhouette};
-use super::volume_parameters;
+use super::silhouette::{SideStage, Silhouette};
 use super::volumes::{self, STENCIL};
-use crate::gpu::Requirement;
+use crate::gpu::Capability;
 use crate::gpu::native::PrimitiveTopology;
 use crate::gpu::shader::{self, Spirv};
 
@@ -14,21 +13,9 @@ pub(super) static INFO: MethodInfo = MethodInfo {
     id: "silhouette_gs",
     title: "silhouette shadow volumes, side quads by a geometry shader",
     source: "Milet, Kobrtek, Zemčík, Pečiva 2014, section 3",
-    needs: &[Requirement::GeometryStage, STENCIL],
+    needs: &[Capability::GeometryStage, STENCIL],
     limits: &[volumes::LIMITS],
     tolerated_share: 0.0,
-    parameters: &[
-        volume_parameters::PARAMETERS,
-        &[
-            INPUT_PARAMETER,
-            (
-                "max_multiplicity",
-                "32",
-                "most opposite vertices of one primitive, 1 to 64 (4 at most with input=patch); edges \
-             with more are split",
-            ),
-        ],
-    ],
 };
 
 /// Side quads by a geometry shader.

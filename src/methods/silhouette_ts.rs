@@ -1,10 +1,9 @@
 //! Silhouette shadow volumes in tessellation shaders (Milet et al. 2014, algorithms 2 to 5).
 
 use super::MethodInfo;
-use super::silhouette::{INPUT_PARAMETER, SideStage, Silhouette};
-use super::volume_parameters;
+use super::silhouette::{SideStage, Silhouette};
 use super::volumes::{self, STENCIL};
-use crate::gpu::Requirement;
+use crate::gpu::Capability;
 use crate::gpu::native::PrimitiveTopology;
 use crate::gpu::shader::{self, Spirv};
 
@@ -14,24 +13,12 @@ pub(super) static INFO: MethodInfo = MethodInfo {
     title: "silhouette shadow volumes, side quads by tessellation shaders",
     source: "Milet, Kobrtek, Zemčík, Pečiva 2014, section 2.2",
     needs: &[
-        Requirement::TessellationStage,
-        Requirement::GeometryStage,
+        Capability::TessellationStage,
+        Capability::GeometryStage,
         STENCIL,
     ],
     limits: &[volumes::LIMITS],
     tolerated_share: 0.0,
-    parameters: &[
-        volume_parameters::PARAMETERS,
-        &[
-            INPUT_PARAMETER,
-            (
-                "max_multiplicity",
-                "32",
-                "most opposite vertices of one patch, 1 to 32 (30 at most with input=patch); edges with more \
-             are split",
-            ),
-        ],
-    ],
 };
 
 /// Side quads by tessellation shaders.

@@ -1,49 +1,36 @@
 //! A shadow volume of every triangle, in a geometry shader: what silhouettes and tessellation are
 //! compared with in Milet et al. 2014, table 4.
 
-use super::parameters::Parameters;
-use super::volume_parameters::{self, VolumeParameters};
+use super::volume_parameters::VolumeParameters;
 use super::volumes::{self, STENCIL, StencilVolumes};
 use super::{MethodError, MethodInfo, PrepareContext, ShadowMethod};
 use crate::frame::DepthSetup;
 use crate::frame::PreparedMethod;
-use crate::gpu::Requirement;
+use crate::gpu::Capability;
 use crate::gpu::native::PrimitiveTopology;
 use crate::gpu::shader;
-use serde::{Deserialize, Serialize};
+use crate::parameters;
 
 /// What the method is.
 pub(super) static INFO: MethodInfo = MethodInfo {
     id: "triangle_gs",
     title: "a shadow volume of every triangle, by a geometry shader",
     source: "Milet, Kobrtek, Zemčík, Pečiva 2014, section 3 (after Stich et al. 2007)",
-    needs: &[Requirement::GeometryStage, STENCIL],
+    needs: &[Capability::GeometryStage, STENCIL],
     limits: &[volumes::LIMITS, volumes::TRIANGLE_LIMITS],
     tolerated_share: 0.0,
-    parameters: &[volume_parameters::PARAMETERS],
 };
 
-/// The method's parameters.
-#[derive(Debug, Clone, Default, Serialize, Deserialize)]
-#[serde(default)]
-pub(super) struct TriangleGs {
-    #[serde(flatten)]
-    volume: VolumeParameters,
-}
-
-impl Parameters for TriangleGs {
-    fn validate(&self) -> Result<(), String> {
-        self.volume.validate()
+parameters! {
+    /// The method's parameters.
+    pub(super) struct TriangleGs {
+        ..volume: VolumeParameters;
     }
 }
 
 impl ShadowMethod for TriangleGs {
     fn info(&self) -> &'static MethodInfo {
         &INFO
-    }
-
-    fn variant(&self) -> String {
-        self.difference()
     }
 
     fn depth_setup(&self) -> DepthSetup {

@@ -1,67 +1,37 @@
 //! A shadow volume of every triangle, in tessellation shaders (Milet et al. 2014, section 2.1).
 
-use super::parameters::{Parameters, in_range};
-use super::volume_parameters::{self, FrontCap, VolumeParameters};
+use super::volume_parameters::{FrontCap, VolumeParameters};
 use super::volumes::{self, Faces, STENCIL, StencilVolumes};
 use super::{MethodError, MethodInfo, PrepareContext, ShadowMethod};
 use crate::frame::DepthSetup;
 use crate::frame::PreparedMethod;
-use crate::gpu::Requirement;
+use crate::gpu::Capability;
 use crate::gpu::native::PrimitiveTopology;
 use crate::gpu::shader;
-use serde::{Deserialize, Serialize};
+use crate::parameters;
 
 /// What the method is.
 pub(super) static INFO: MethodInfo = MethodInfo {
     id: "triangle_ts",
     title: "a shadow volume of every triangle, by tessellation shaders",
     source: "Milet, Kobrtek, Zemčík, Pečiva 2014, section 2.1",
-    needs: &[Requirement::TessellationStage, STENCIL],
+    needs: &[Capability::TessellationStage, STENCIL],
     limits: &[volumes::LIMITS, volumes::TRIANGLE_LIMITS],
     tolerated_share: 0.0,
-    parameters: &[
-        &[(
-            "passes",
-            "2",
-            "2: sides and back cap, then front cap (algorithm 1); 1: a quad twisted into the whole \
-             volume (figure 3)",
-        )],
-        volume_parameters::PARAMETERS,
-    ],
 };
 
-/// The method's parameters.
-#[derive(Debug, Clone, Serialize, Deserialize)]
-#[serde(default)]
-pub(super) struct TriangleTs {
-    passes: u32,
-    #[serde(flatten)]
-    volume: VolumeParameters,
-}
-
-impl Default for TriangleTs {
-    fn default() -> Self {
-        Self {
-            passes: 2,
-            volume: VolumeParameters::default(),
-        }
-    }
-}
-
-impl Parameters for TriangleTs {
-    fn validate(&self) -> Result<(), String> {
-        in_range("passes", self.passes, 1..=2)?;
-        self.volume.validate()
+parameters! {
+    /// The method's parameters.
+    pub(super) struct TriangleTs {
+        passes: u32 = 2, in 1..=2,
+            "2: sides and back cap, then front cap (algorithm 1); 1: a quad twisted into the whole volume (figure 3)";
+        ..volume: VolumeParameters;
     }
 }
 
 impl ShadowMethod for TriangleTs {
     fn info(&self) -> &'static MethodInfo {
         &INFO
-    }
-
-    fn variant(&self) -> String {
-        self.difference()
     }
 
     fn depth_setup(&self) -> DepthSetup {

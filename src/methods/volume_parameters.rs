@@ -1,11 +1,10 @@
 //! The parameters that all volume methods have.
 
-use super::Parameter;
-use super::parameters::in_range;
 use crate::frame::{DepthFormat, DepthSetup};
 use crate::geometry::Determinism;
 use crate::gpu::DepthDirection;
 use crate::gpu::native::Raster;
+use crate::parameters;
 use serde::{Deserialize, Serialize};
 
 /// How volumes are counted.
@@ -46,96 +45,37 @@ pub(super) enum FrontCap {
     InPlace,
 }
 
-/// See [`super::MethodInfo::parameters`].
-pub(super) const PARAMETERS: &[Parameter] = &[
-    (
-        "determinism",
-        "reference_edge",
-        "how the edges of a triangle agree on its facing: reference_edge, consistent_triangle, none",
-    ),
-    (
-        "counting",
-        "z_fail",
-        "z_fail; z_pass; auto: z_pass for objects that cannot shadow the eye, else z_fail",
-    ),
-    (
-        "reach",
-        "scene",
-        "scene: volumes end just beyond the scene where they may; infinity: as in the literature",
-    ),
-    (
-        "front_cap",
-        "far",
-        "where the front caps of z_fail are: far (on the far plane, counted everywhere), in_place",
-    ),
-    (
-        "push_back_px",
-        "1/8192",
-        "what passes a depth test is pushed away by the change of its depth over so many pixels, -1 to 1",
-    ),
-    (
-        "depth",
-        "reversed",
-        "the frame's depth buffer: reversed (1 at the near plane, 0 at infinity), standard (0 to 1)",
-    ),
-    (
-        "depth_format",
-        "float32",
-        "the frame's depth buffer: float32, unorm24",
-    ),
-    (
-        "near",
-        "the camera's",
-        "distance of the frame's near plane, in the scene's units",
-    ),
-];
-
-/// The parameters that all volume methods have.
-#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
-#[serde(default)]
-pub(super) struct VolumeParameters {
-    pub determinism: Determinism,
-    pub counting: Counting,
-    pub reach: Reach,
-    pub front_cap: FrontCap,
-    pub push_back_px: f64,
-    pub depth: DepthDirection,
-    pub depth_format: DepthFormat,
-    /// `None`: the camera's.
-    pub near: Option<f64>,
-}
-
 /// A side quad is never in front of the surface that it starts from, but their depths may differ by less than the
 /// rasteriser's arithmetic can tell, above all where the light grazes the surface, and for copies of a quad that a
 /// tessellator cuts along different diagonals. Pushed back by so much, it is nearly always found behind. More would
 /// move shadows: 1/256 pixel costs some ten wrong pixels at boundaries in a frame.
 const PUSH_BACK_PX: f64 = 1.0 / 8192.0;
 
-impl Default for VolumeParameters {
-    fn default() -> Self {
-        Self {
-            determinism: Determinism::default(),
-            counting: Counting::default(),
-            reach: Reach::default(),
-            front_cap: FrontCap::default(),
-            push_back_px: PUSH_BACK_PX,
-            depth: DepthDirection::default(),
-            depth_format: DepthFormat::default(),
-            near: None,
-        }
+parameters! {
+    /// The parameters that all volume methods have.
+    #[derive(Copy)]
+    pub(super) struct VolumeParameters {
+        pub determinism: Determinism = Determinism::ReferenceEdge,
+            "how the edges of a triangle agree on its facing";
+        pub counting: Counting = Counting::ZFail,
+            "how volumes are counted; auto: z_pass for objects that cannot shadow the eye, else z_fail";
+        pub reach: Reach = Reach::Scene,
+            "scene: volumes end just beyond the scene where they may; infinity: as in the literature";
+        pub front_cap: FrontCap = FrontCap::Far,
+            "where the front caps of z_fail are: far (on the far plane, counted everywhere), in_place";
+        pub push_back_px: f64 = PUSH_BACK_PX, in -1.0..=1.0,
+            "volumes that are tested against depth are pushed away by the change of their depth over so many pixels";
+        pub depth: DepthDirection = DepthDirection::Reversed,
+            "the frame's depth buffer: reversed (1 at the near plane, 0 at infinity), standard (0 to 1)";
+        pub depth_format: DepthFormat = DepthFormat::Float32,
+            "the frame's depth buffer";
+        /// `None`: the camera's.
+        pub near: Option<f64> = None, in 1e-9..=1e9,
+            "distance of the frame's near plane, in the scene's units; none: the camera's";
     }
 }
 
 impl VolumeParameters {
-    /// See [`super::Parameters::validate`].
-    pub(super) fn validate(&self) -> Result<(), String> {
-        in_range("push_back_px", self.push_back_px, -1.0..=1.0)?;
-        match self.near {
-            Some(near) => in_range("near", near, 1e-9..=1e9),
-            None => Ok(()),
-        }
-    }
-
     /// The depth buffer that the frame is to be drawn with.
     pub(super) fn depth_setup(&self) -> DepthSetup {
         DepthSetup {

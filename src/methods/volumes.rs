@@ -9,7 +9,7 @@ use super::volume_parameters::{Counting, VolumeParameters};
 use super::{Bound, Limit, MethodError, PrepareContext};
 use crate::frame::{Frame, PreparedMethod, StencilResolve};
 use crate::geometry::Bounds;
-use crate::gpu::Requirement;
+use crate::gpu::Capability;
 use crate::gpu::native::{
     BindingKind, Bindings, IndexedGeometry, NativePass, Pipeline, PipelineDesc, PrimitiveTopology,
     Raster, Target, VertexInput,
@@ -25,7 +25,7 @@ const VOLUMES_STAGE: &str = "volumes";
 const CHOOSE_STAGE: &str = "choose";
 
 /// What every volume method needs of the device.
-pub(super) const STENCIL: Requirement = Requirement::StencilBuffer;
+pub(super) const STENCIL: Capability = Capability::StencilBuffer;
 
 /// What every volume method cannot do.
 pub(super) const LIMITS: &[Limit] = &[

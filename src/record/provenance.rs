@@ -1,7 +1,7 @@
 //! What program, device and machine results come from.
 
 use super::{DeviceRecord, HostRecord};
-use crate::gpu::Gpu;
+use crate::gpu::{Capability, Gpu};
 
 /// Git revision of the program; empty when not built from a checkout.
 pub fn program_git() -> String {
@@ -26,12 +26,12 @@ impl DeviceRecord {
         Self {
             name: info.name.clone(),
             vendor_id: info.vendor,
-            device_type: crate::gpu::device::type_name(info.device_type).to_owned(),
+            device_type: crate::gpu::type_name(info.device_type).to_owned(),
             driver: info.driver.clone(),
             driver_info: info.driver_info.clone(),
             backend: info.backend.to_string(),
-            tessellation: gpu.stages.tessellation,
-            geometry: gpu.stages.geometry,
+            tessellation: gpu.has(Capability::TessellationStage),
+            geometry: gpu.has(Capability::GeometryStage),
         }
     }
 }

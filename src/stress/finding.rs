@@ -92,7 +92,7 @@ fn size_px(regions: &[&Region]) -> u64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::methods::REGISTRY;
+    use crate::methods::Registry;
     use crate::metrics::{Label, Sign};
     use crate::stress::corpus;
 
@@ -203,7 +203,8 @@ mod tests {
     #[test]
     fn limits_name_causes_that_there_are_at_values_that_are_tried() {
         let causes = corpus();
-        let limits = REGISTRY
+        let registry = Registry::builtin();
+        let limits = registry
             .iter()
             .flat_map(|registration| registration.info.limits.iter().copied().flatten());
         for (name, from) in limits.flat_map(|limit| limit.fails) {
@@ -218,7 +219,7 @@ mod tests {
 
     #[test]
     fn a_limit_holds_with_its_parameter_alone() {
-        let info = crate::methods::find("silhouette_gs").unwrap().info;
+        let info = Registry::builtin().get("silhouette_gs").unwrap().info;
         let covered = |variant: &str, value: f64| {
             let mut limits = info.limits_of(variant);
             limits.any(|limit| limit.covers("eye_in_volume", value))

@@ -5,7 +5,7 @@ use crate::config::method_tables::read_methods;
 use crate::config::misplaced::{Misplaced, twice};
 use crate::config::run_file::{check_size, read_text};
 use crate::config::{ConfigError, MethodPlan};
-use crate::methods::ShadowMethod;
+use crate::methods::{Registry, ShadowMethod};
 use crate::toml_array::Exactly;
 use crate::toml_error;
 use serde::Deserialize;
@@ -56,18 +56,18 @@ impl StressPlan {
     /// The configuration that comes with the program.
     ///
     /// # Errors
-    /// Never, as a test makes sure.
-    pub fn builtin() -> Result<Self, ConfigError> {
+    /// When `registry` lacks one of its methods; with those of the program never, as a test makes sure.
+    pub fn builtin(registry: &Registry) -> Result<Self, ConfigError> {
         let text = include_str!("../../configs/stability.toml");
-        Self::parse(text, "configs/stability.toml")
+        Self::parse(text, "configs/stability.toml", registry)
     }
 
     /// Reads and checks a configuration file.
     ///
     /// # Errors
     /// What is wrong, with file, line and column.
-    pub fn read(path: &Path) -> Result<Self, ConfigError> {
-        Self::parse(&read_text(path)?, &path.display().to_string())
+    pub fn read(path: &Path, registry: &Registry) -> Result<Self, ConfigError> {
+        Self::parse(&read_text(path)?, &path.display().to_string(), registry)
     }
 
     /// Refuses causes and methods that are there twice: results tell pictures apart by them.
@@ -95,8 +95,8 @@ impl StressPlan {
         }
     }
 
-    fn parse(text: &str, name: &str) -> Result<Self, ConfigError> {
-        let plan = parse(text).map_err(|Misplaced { span, message }| match span {
+    fn parse(text: &str, name: &str, registry: &Registry) -> Result<Self, ConfigError> {
+        let plan = parse(text, registry).map_err(|Misplaced { span, message }| match span {
             Some(span) => ConfigError(toml_error::at(&span, &message, text, name)),
             None => ConfigError(format!("{name}: {message}")),
         })?;
@@ -108,9 +108,9 @@ impl StressPlan {
     }
 }
 
-fn parse(text: &str) -> Result<StressPlan, Misplaced> {
+fn parse(text: &str, registry: &Registry) -> Result<StressPlan, Misplaced> {
     let mut document = DeTable::parse(text)?;
-    let methods = read_methods(document.get_mut().remove("methods"))?;
+    let methods = read_methods(document.get_mut().remove("methods"), registry)?;
     let wire = Wire::deserialize(Deserializer::from(document))?;
     let Exactly([width, height]) = *wire.size.get_ref();
     check_size((width, height)).map_err(|message| Misplaced::new(wire.size.span(), message))?;
@@ -165,14 +165,19 @@ mod tests {
 
     #[test]
     fn the_configuration_of_the_program_tries_everything() {
-        let plan = StressPlan::builtin().unwrap();
+        let plan = StressPlan::builtin(&Registry::builtin()).unwrap();
         assert_eq!(plan.causes, corpus());
         assert!(plan.methods.len() > 10);
     }
 
     #[test]
     fn errors_name_the_place() {
-        let message = |text: &str| StressPlan::parse(text, "s.toml").err().unwrap().0;
+        let message = |text: &str| {
+            StressPlan::parse(text, "s.toml", &Registry::builtin())
+                .err()
+                .unwrap()
+                .0
+        };
         let method = "[[methods]]\nid = \"silhouette_gs\"\n";
         let misspelt = message(&format!("title = \"t\"\ncauses = [\"fans\"]\n{method}"));
         assert!(misspelt.contains("s.toml:2:11"), "{misspelt}");

@@ -11,6 +11,7 @@ static DEVICE: LazyLock<Mutex<Gpu>> = LazyLock::new(|| {
     let options = GpuOptions {
         adapter,
         validation: true,
+        ..GpuOptions::default()
     };
     Mutex::new(
         Gpu::open(&options).expect("tests need a Vulkan device; scripts/test.sh installs one"),

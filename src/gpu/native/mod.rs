@@ -16,14 +16,16 @@ mod memory;
 mod open;
 mod pass;
 mod pipeline;
+mod support;
 mod target;
 
 pub use bindings::{BindingKind, Bindings};
 pub use geometry::{IndexedGeometry, IndirectDraws};
 pub use memory::{free_heap_bytes, most_bytes_at_once};
-pub use open::{Opened, StageSupport, has_validation_layer, open, support};
+pub use open::open;
 pub use pass::NativePass;
 pub use pipeline::{Pipeline, PipelineDesc, PrimitiveTopology, Raster, VertexInput};
+pub use support::{has_validation_layer, supported};
 pub use target::Target;
 
 use wgpu::hal::api::Vulkan;

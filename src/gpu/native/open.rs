@@ -1,117 +1,71 @@
-//! Opening the device with tessellation and geometry shaders switched on.
+//! Opening a device with everything switched on that the program may use of it.
 
+use crate::gpu::capability::{Capability, Source};
 use ash::vk;
-use serde::Serialize;
+use std::collections::BTreeSet;
 use wgpu::hal::api::Vulkan;
 
-/// Which of the stages that wgpu lacks can be used.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
-pub struct StageSupport {
-    /// Tessellation control and evaluation shaders.
-    pub tessellation: bool,
-    /// Geometry shaders.
-    pub geometry: bool,
-    /// Storage buffers may be written in the stages before the rasteriser (used by tests only).
-    pub vertex_stores: bool,
-    /// A depth buffer of 24 bits with 8 bits of stencil.
-    pub depth24: bool,
-}
+/// A device and its queue.
+type Opened = (wgpu::Device, wgpu::Queue);
 
-/// A device with its queue.
-pub struct Opened {
-    /// wgpu's device.
-    pub device: wgpu::Device,
-    /// Its queue.
-    pub queue: wgpu::Queue,
-    /// The native stages that are switched on.
-    pub stages: StageSupport,
-}
-
-/// What the adapter could offer; nothing where it does not run on Vulkan.
-pub fn support(adapter: &wgpu::Adapter) -> StageSupport {
-    // SAFETY: the adapter is only asked for its properties.
-    let Some(hal) = (unsafe { adapter.as_hal::<Vulkan>() }) else {
-        return StageSupport::default();
-    };
-    let instance = hal.shared_instance().raw_instance();
-    let physical = hal.raw_physical_device();
-    // SAFETY: `physical` belongs to `instance`, and both outlive `hal`.
-    let features = unsafe { instance.get_physical_device_features(physical) };
-    // Asked here: wgpu takes 32 bits without a word where there are no 24.
-    // SAFETY: as above.
-    let depth24 = unsafe {
-        instance.get_physical_device_format_properties(physical, vk::Format::D24_UNORM_S8_UINT)
-    };
-    StageSupport {
-        tessellation: features.tessellation_shader == vk::TRUE,
-        geometry: features.geometry_shader == vk::TRUE,
-        vertex_stores: features.vertex_pipeline_stores_and_atomics == vk::TRUE,
-        depth24: depth24.optimal_tiling_features.contains(
-            vk::FormatFeatureFlags::DEPTH_STENCIL_ATTACHMENT
-                | vk::FormatFeatureFlags::SAMPLED_IMAGE,
-        ),
-    }
-}
-
-/// Whether the loader of the adapter has the validation layer; `None` where it does not run on Vulkan.
-pub fn has_validation_layer(adapter: &wgpu::Adapter) -> Option<bool> {
-    // SAFETY: the adapter is only asked for its loader.
-    let hal = unsafe { adapter.as_hal::<Vulkan>() }?;
-    // SAFETY: `hal` keeps the loader alive, and nothing of it is kept.
-    let layers = unsafe {
-        hal.shared_instance()
-            .entry()
-            .enumerate_instance_layer_properties()
-    };
-    let is_it = |layer: &vk::LayerProperties| {
-        layer.layer_name_as_c_str() == Ok(c"VK_LAYER_KHRONOS_validation")
-    };
-    Some(layers.is_ok_and(|layers| layers.iter().any(is_it)))
-}
-
-/// Opens the adapter with `features`, and with every native stage that it has.
+/// Opens the adapter with `features` and with `capabilities`, which it has.
 ///
 /// # Errors
 /// The driver's words.
-pub fn open(adapter: &wgpu::Adapter, features: wgpu::Features) -> Result<Opened, String> {
+pub fn open(
+    adapter: &wgpu::Adapter,
+    features: wgpu::Features,
+    capabilities: &BTreeSet<Capability>,
+) -> Result<Opened, String> {
+    let of_wgpu = capabilities
+        .iter()
+        .map(|capability| match capability.source() {
+            Source::Wgpu(features) => features,
+            _ => wgpu::Features::empty(),
+        });
+    let required_features = of_wgpu.fold(features, wgpu::Features::union);
     let descriptor = wgpu::DeviceDescriptor {
         label: Some("svbench"),
-        required_features: features,
+        required_features,
         required_limits: adapter.limits(),
         ..Default::default()
     };
-    let stages = support(adapter);
-    let (device, queue) = if stages == StageSupport::default() {
-        pollster::block_on(adapter.request_device(&descriptor)).map_err(|e| e.to_string())?
-    } else {
-        open_vulkan(adapter, &descriptor, stages)?
-    };
-    Ok(Opened {
-        device,
-        queue,
-        stages,
-    })
+    // SAFETY: the adapter is only asked what it runs on.
+    if unsafe { adapter.as_hal::<Vulkan>() }.is_some() {
+        return open_vulkan(adapter, &descriptor, capabilities);
+    }
+    pollster::block_on(adapter.request_device(&descriptor)).map_err(|error| error.to_string())
 }
 
 /// wgpu keeps the core Vulkan feature set private, so the device is created here with wgpu's own
-/// extensions and features plus the native stages, and then handed to wgpu.
+/// extensions and features plus those of `capabilities`, and then handed to wgpu.
 fn open_vulkan(
     adapter: &wgpu::Adapter,
     descriptor: &wgpu::DeviceDescriptor<'_>,
-    stages: StageSupport,
-) -> Result<(wgpu::Device, wgpu::Queue), String> {
+    capabilities: &BTreeSet<Capability>,
+) -> Result<Opened, String> {
     // wgpu always takes the first queue of the first family.
     const QUEUE_FAMILY: u32 = 0;
     // SAFETY: the adapter is borrowed for the length of this function and not destroyed.
     let hal = unsafe { adapter.as_hal::<Vulkan>() }.ok_or("not a Vulkan adapter")?;
     let features = descriptor.required_features;
-    let extensions = hal.required_device_extensions(features);
+    let mut extensions = hal.required_device_extensions(features);
     let mut enabled = hal.physical_device_features(&extensions, features);
     let mut core = enabled.get_core();
-    core.tessellation_shader = vk::Bool32::from(stages.tessellation);
-    core.geometry_shader = vk::Bool32::from(stages.geometry);
-    // Only ever added: wgpu may have asked for it as well.
-    core.vertex_pipeline_stores_and_atomics |= vk::Bool32::from(stages.vertex_stores);
+    let mut of_extensions = Vec::new();
+    for capability in capabilities {
+        match capability.source() {
+            // Only ever switched on: wgpu may have asked for it as well.
+            Source::VulkanFeature(bit) => *bit(&mut core) = vk::TRUE,
+            Source::VulkanExtension(name, feature) => {
+                if !extensions.contains(&name) {
+                    extensions.push(name);
+                }
+                of_extensions.extend(feature.map(|feature| feature()));
+            }
+            Source::Wgpu(_) | Source::VulkanFormat(..) => {}
+        }
+    }
 
     let queues = [vk::DeviceQueueCreateInfo::default()
         .queue_family_index(QUEUE_FAMILY)
@@ -120,9 +74,13 @@ fn open_vulkan(
     let info = vk::DeviceCreateInfo::default()
         .queue_create_infos(&queues)
         .enabled_extension_names(&extension_names);
-    let info = enabled.add_to_device_create(info).enabled_features(&core);
-    // SAFETY: extensions and features are those that wgpu would ask for, plus stages that
-    // `support` found; every pointer in `info` lives until after the call.
+    let mut info = enabled.add_to_device_create(info).enabled_features(&core);
+    for feature in &mut of_extensions {
+        *feature.bit() = vk::TRUE;
+        info = info.push_next(feature.for_device());
+    }
+    // SAFETY: extensions and features are those that wgpu would ask for, plus those that
+    // `supported` found; every pointer in `info` lives until after the call.
     let raw = unsafe {
         hal.shared_instance()
             .raw_instance()

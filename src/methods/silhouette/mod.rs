@@ -5,7 +5,6 @@
 
 mod edges;
 
-use super::parameters::{Parameters, in_range};
 use super::volume_parameters::VolumeParameters;
 use super::volumes::{self, Faces, StencilVolumes};
 use super::{MethodError, MethodInfo, PrepareContext, ShadowMethod};
@@ -14,12 +13,13 @@ use crate::frame::PreparedMethod;
 use crate::gpu::Gpu;
 use crate::gpu::native::{PrimitiveTopology, Raster};
 use crate::gpu::shader::{self, Spirv};
+use crate::parameters;
 use edges::{EdgePatches, EdgeRecords};
 use serde::{Deserialize, Serialize};
-use std::marker::PhantomData;
+use std::fmt::Debug;
 
 /// The stages that make side quads of edges.
-pub(super) trait SideStage: 'static {
+pub(super) trait SideStage: Debug + Clone + 'static {
     /// The method that uses them.
     fn info() -> &'static MethodInfo;
     /// Most side quads of one edge.
@@ -47,50 +47,23 @@ pub(super) enum EdgeInput {
     Storage,
 }
 
-/// The parameters of both methods.
-#[derive(Debug, Clone, Serialize, Deserialize)]
-#[serde(default, bound = "")]
-pub(super) struct Silhouette<S> {
-    #[serde(flatten)]
-    volume: VolumeParameters,
-    input: EdgeInput,
-    max_multiplicity: u32,
-    #[serde(skip)]
-    stage: PhantomData<S>,
-}
-
-impl<S> Default for Silhouette<S> {
-    fn default() -> Self {
-        Self {
-            volume: VolumeParameters::default(),
-            input: EdgeInput::default(),
-            max_multiplicity: 32,
-            stage: PhantomData,
-        }
-    }
-}
-
-/// See [`MethodInfo::parameters`].
-pub(super) const INPUT_PARAMETER: (&str, &str, &str) = (
-    "input",
-    "patch",
-    "how an edge comes to the shaders: patch (its vertices), storage (its number; they fetch)",
-);
-
-impl<S: SideStage> Parameters for Silhouette<S> {
-    fn validate(&self) -> Result<(), String> {
-        in_range("max_multiplicity", self.max_multiplicity, 1..=S::MAX_QUADS)?;
-        self.volume.validate()
+parameters! {
+    /// The parameters of both methods.
+    pub(super) struct Silhouette<S: SideStage> {
+        input: EdgeInput = EdgeInput::Patch,
+            "how an edge comes to the shaders: patch (its vertices), storage (its number; they fetch)";
+        max_multiplicity: u32 = 32, in 1..=S::MAX_QUADS,
+            format!(
+                "most opposite vertices of one primitive, with input=patch at most {}; edges with more are split",
+                S::MAX_PATCH_OPPOSITES
+            );
+        ..volume: VolumeParameters;
     }
 }
 
 impl<S: SideStage> ShadowMethod for Silhouette<S> {
     fn info(&self) -> &'static MethodInfo {
         S::info()
-    }
-
-    fn variant(&self) -> String {
-        self.difference()
     }
 
     fn depth_setup(&self) -> DepthSetup {
