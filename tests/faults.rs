@@ -43,7 +43,7 @@ impl ShadowMethod for Trouble {
             panic!("on purpose, while it is prepared");
         }
         if self.kind == TOO_LARGE {
-            on.gpu.device.create_texture(&wgpu::TextureDescriptor {
+            let _ = on.gpu.device.create_texture(&wgpu::TextureDescriptor {
                 label: Some("too large"),
                 size: wgpu::Extent3d {
                     width: 1 << 20,

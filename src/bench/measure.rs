@@ -123,12 +123,15 @@ impl Frames<'_, '_> {
         if !run.is_ready() || self.session.lost().is_some() {
             return Ok(());
         }
-        let session = &mut *self.session;
-        let drawn = run
-            .time
-            .spend(|deadline| session.draw(tag.cell, times_s, deadline));
+        let (session, under_way) = (&mut *self.session, &mut self.under_way);
+        let drawn = run.time.spend(|deadline| {
+            session.draw(tag.cell, times_s, deadline)?;
+            // Also if it took too long: it will come to its end.
+            under_way.push_back(tag);
+            Ok(())
+        });
         match drawn {
-            Ok(()) => self.under_way.push_back(tag),
+            Ok(()) => {}
             // A device is lost by the first frame that did not come to its end, which may be an earlier one.
             Err(error) => match self.session.lost() {
                 Some(_) => self.end(*self.under_way.front().unwrap_or(&tag), error),
