@@ -7,10 +7,10 @@ use criterion::{Criterion, criterion_group, criterion_main};
 use glam::{Vec3, Vec4};
 use svbench::metrics::{EdgeDistances, FrameContext, MaskComparison, analyse, mean_flip};
 use svbench::reference::{BoundaryProbe, Reference, ReferenceView};
-use svbench::scene::View;
 use svbench::scene::sphere_grid::SphereGrid;
+use svbench::scene::{Light, View};
 
-const LIGHT: Vec4 = Vec4::new(3.0, 20.0, 5.0, 1.0);
+const LIGHT: Light = Light::at(Vec4::new(3.0, 20.0, 5.0, 1.0));
 const SIZE: [u32; 2] = [1024, 768];
 
 fn verification(criterion: &mut Criterion) {

@@ -7,7 +7,7 @@
 #![allow(clippy::print_stdout, reason = "what it finds is its result")]
 
 use anyhow::Context;
-use glam::{Vec3, Vec4};
+use glam::Vec3;
 use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use std::path::Path;
@@ -17,7 +17,7 @@ use svbench::gpu::{Gpu, GpuOptions};
 use svbench::judge::Verifier;
 use svbench::methods::{PrepareContext, Registry};
 use svbench::reference::{ReferenceCache, Verdict};
-use svbench::scene::{Scene, Up, View};
+use svbench::scene::{Light, Moment, Scene, Up, View};
 
 const SIZE: (u32, u32) = (1024, 768);
 const METHODS: [&str; 4] = [
@@ -51,7 +51,7 @@ fn point(random: &mut impl Rng, low: Vec3, high: Vec3) -> Vec3 {
     Vec3::new(at(low.x, high.x), at(low.y, high.y), at(low.z, high.z))
 }
 
-fn shot(scene: &Scene, seed: u64) -> (View, Vec4) {
+fn shot(scene: &Scene, seed: u64) -> Moment {
     let random = &mut ChaCha8Rng::seed_from_u64(seed);
     let casters = scene
         .mesh
@@ -63,19 +63,17 @@ fn shot(scene: &Scene, seed: u64) -> (View, Vec4) {
         high = high.max(*p);
     }
     let (centre, size) = ((low + high) / 2.0, high - low);
-    if scene.camera.duration_s() > 0.0 {
+    if scene.flight.duration_s() > 0.0 {
         // Along the flight, with a light that is moved a little.
-        let time_s = random.random_range(0.0..scene.camera.duration_s());
-        let view = scene.camera.view_at(time_s);
+        let time_s = random.random_range(0.0..scene.flight.duration_s());
+        let Moment { view, light } = scene.flight.at(time_s);
+        let place = light.place.truncate();
         let reach = 0.1 * size;
-        let light = point(
-            random,
-            scene.light.truncate() - reach,
-            scene.light.truncate() + reach,
-        );
-        return (view, light.extend(1.0));
+        let light = point(random, place - reach, place + reach);
+        let light = Light::at(light.extend(1.0));
+        return Moment { view, light };
     }
-    let path = scene.camera.view_at(0.0);
+    let path = scene.flight.at(0.0).view;
     let eye = loop {
         let eye = point(
             random,
@@ -99,7 +97,8 @@ fn shot(scene: &Scene, seed: u64) -> (View, Vec4) {
         target,
         ..path
     };
-    (view, light.extend(1.0))
+    let light = Light::at(light.extend(1.0));
+    Moment { view, light }
 }
 
 fn main() -> anyhow::Result<()> {
@@ -120,19 +119,18 @@ fn main() -> anyhow::Result<()> {
         .map(|method| Ok(Registry::builtin().parse(method)?.prepare(&context)?))
         .collect::<anyhow::Result<_>>()?;
     let cache = ReferenceCache::open(None);
-    let mut verifier = Verifier::new(&gpu, &scene, &stage, &cache)?;
+    let verifier = Verifier::new(&gpu, &scene, &stage, &cache)?;
     let mut sums = vec![[0u64; 6]; methods.len()];
     for seed in first..last {
-        let (view, light) = shot(&scene, seed);
-        verifier.light = light;
-        let truth = verifier.truth(&view)?;
+        let moment = shot(&scene, seed);
+        let truth = verifier.truth(&moment)?;
         for ((method, prepared), sums) in methods.iter().zip(&mut prepared).zip(&mut sums) {
             let mask = verifier.draw_mask(prepared.as_mut(), &truth)?;
             let error = verifier.compare(&mask, &truth, prepared.as_ref())?.error;
             let hard = verifier.hard_errors(&mask, &truth)?;
             let hidden = hard
                 .iter()
-                .filter(|px| truth.mask.verdicts[**px] == Verdict::Ambiguous);
+                .filter(|px| truth.mask.verdict(**px) == Verdict::Ambiguous);
             let false_lit = hard.iter().filter(|px| mask[**px] == 0).count() as u64;
             let row = [
                 hard.len() as u64,

@@ -9,7 +9,7 @@ use crate::gpu::FrameTimes;
 use crate::judge::NoPicture;
 use crate::record::RunDirError;
 use crate::record::run_dir::RunDir;
-use crate::scene::CameraPath;
+use crate::scene::Flight;
 use rand::SeedableRng;
 use rand::seq::SliceRandom;
 use rand_chacha::ChaCha8Rng;
@@ -45,12 +45,12 @@ struct Tag {
     warmup: bool,
 }
 
-/// Flies along the camera path with each cell that is ready, and keeps every measured frame, frames
+/// Flies along the scene's flight with each cell that is ready, and keeps every measured frame, frames
 /// later. A cell that breaks ends; where the device is lost, all ends. Frames that were measured already, on a
 /// device that was lost, are not measured again.
 pub(super) fn measure(
     watched: Watched<'_>,
-    camera: &CameraPath,
+    flight: &Flight,
     session: &mut dyn Session,
     cells: &mut [CellRun<'_>],
     dir: &mut RunDir,
@@ -66,7 +66,7 @@ pub(super) fn measure(
         dir,
     };
     let mut drawn = 0;
-    let times_s = camera.frame_times(plan.frames as usize);
+    let times_s = flight.frame_times(plan.frames as usize);
     for (frame, time_s, warmup) in rounds(&times_s, plan.warmup_frames) {
         let times_s = sequence(time_s, plan.lead_in);
         order.shuffle(&mut shuffle);

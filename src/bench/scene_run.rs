@@ -13,9 +13,8 @@ use crate::record::run_dir::RunDir;
 use crate::record::{
     EdgeRecord, MethodRecord, RunDirError, SceneRecord, Status, Summary, in_one_line,
 };
-use crate::scene::camera::FrameError;
 use crate::scene::file::MeshSource;
-use crate::scene::{Scene, SceneError};
+use crate::scene::{FrameError, Scene, SceneError};
 
 /// What a scene's part of the run came to.
 pub(super) struct SceneOutcome {
@@ -82,6 +81,7 @@ fn not_loaded(run: &RunPlan, plan: &ScenePlan, error: &anyhow::Error) -> SceneOu
             mesh_hash: String::new(),
             light: [0.0; 3],
             light_w: 0.0,
+            light_moves: false,
             edges: None,
             status,
             reason,
@@ -94,17 +94,17 @@ fn not_loaded(run: &RunPlan, plan: &ScenePlan, error: &anyhow::Error) -> SceneOu
 /// Looks at every view of the flight that the run will draw: nothing is measured of a flight that has frames
 /// without a picture.
 fn check_views(plan: &RunPlan, scene: &Scene) -> Result<(), FrameError> {
-    let camera = &scene.camera;
-    let measured_s = camera.frame_times(plan.frames as usize);
-    let mut times_s = plan.verified_times(camera);
+    let flight = &scene.flight;
+    let measured_s = flight.frame_times(plan.frames as usize);
+    let mut times_s = plan.verified_times(flight);
     times_s.extend(measured_s);
     let lead_in = |s: &f64| sequence(*s, plan.lead_in);
     times_s = times_s.iter().flat_map(lead_in).collect();
     let mut methods = plan.methods.iter();
     if methods.any(|plan| plan.method.bias_search().is_some()) {
-        times_s.extend(plan.bias_times(camera));
+        times_s.extend(plan.bias_times(flight));
     }
-    camera.check_times(times_s.into_iter())
+    flight.check_times(times_s.into_iter())
 }
 
 /// A scene that is being run.
@@ -194,7 +194,7 @@ impl<'a> SceneRun<'a> {
         if session.lost().is_none() {
             let text = format!("{}: measuring", scene.name);
             watched.observer.phase(&text);
-            measure(watched, &scene.camera, session, cells, dir)?;
+            measure(watched, &scene.flight, session, cells, dir)?;
         }
         Ok(())
     }
@@ -223,14 +223,16 @@ impl<'a> SceneRun<'a> {
 }
 
 fn scene_record(scene: &Scene, edges: Option<EdgeRecord>, failure: Option<String>) -> SceneRecord {
+    let light = scene.flight.at(0.0).light;
     SceneRecord {
         name: scene.name.clone(),
         title: scene.title.clone(),
         triangles: Some(scene.mesh.caster_triangle_count() as u64),
         objects: Some(scene.mesh.caster_object_count() as u64),
         mesh_hash: scene.mesh_hash.clone(),
-        light: scene.light.truncate().to_array(),
-        light_w: scene.light.w,
+        light: light.place.truncate().to_array(),
+        light_w: light.place.w,
+        light_moves: scene.flight.light.duration_s() > 0.0,
         edges,
         status: match failure {
             Some(_) => Status::Failed,

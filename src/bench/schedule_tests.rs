@@ -319,6 +319,9 @@ fn a_cell_that_takes_too_long_ends_and_the_others_go_on() {
         let (status, reason, measured) = ran.of("shadow_map");
         assert_eq!((status, measured), (Status::Failed, frames), "{request}");
         assert!(reason.contains("`cell_timeout_s`"), "{reason}");
-        assert!(reason.starts_with(&format!("frame {frames} at")), "{reason}");
+        assert!(
+            reason.starts_with(&format!("frame {frames} at")),
+            "{reason}"
+        );
     }
 }

@@ -25,7 +25,7 @@ pub(super) fn verify_cells(
             depths.push(run.depth());
         }
     }
-    for (frame, time_s) in (0..).zip(watched.plan.verified_times(&scene.camera)) {
+    for (frame, time_s) in (0..).zip(watched.plan.verified_times(&scene.flight)) {
         for &depth in &depths {
             let waits = |run: &CellRun<'_>| {
                 run.is_ready() && run.depth() == depth && run.errors.len() <= frame as usize

@@ -8,7 +8,7 @@ use crate::file_name::file_name;
 use crate::judge::Observer;
 use crate::judge::{Attempt, Drawn, Judge, NoPicture};
 use crate::methods::{Registry, ShadowMethod};
-use crate::scene::{CameraKey, CameraPath, ModelSearch, Scene, SceneFile, View, export};
+use crate::scene::{Flight, ModelSearch, Moment, Scene, SceneFile, export};
 use crate::stress::minimise::{MinimiseError, Minimised, minimise};
 use anyhow::Context;
 use std::path::{Path, PathBuf};
@@ -62,8 +62,8 @@ impl Observer for Limited<'_> {
 pub(super) fn execute(args: &MinimiseArgs, registry: &Registry) -> anyhow::Result<()> {
     let methods = [registry.parse(&args.method)?];
     let scene = args.shot.load()?;
-    let view = args.shot.view(&scene)?;
-    let scene = still(scene, &view, &args.method);
+    let moment = args.shot.moment(&scene)?;
+    let scene = still(scene, &moment, &args.method);
     let stem = format!("{}_minimal", file_name(&scene.name));
     let path = args.out.join(format!("{stem}.toml"));
     let model = path.with_extension("obj");
@@ -85,21 +85,7 @@ pub(super) fn execute(args: &MinimiseArgs, registry: &Registry) -> anyhow::Resul
         console::print(&format!("note: {note}\n"));
     }
 
-    let (left, all) = (&minimised.scene.mesh, &scene.mesh);
-    let mut text = format!(
-        "{} of {} triangles are left, {} of {} vertices, after {} trials in {:.1} s{}\n",
-        left.triangles.len(),
-        all.triangles.len(),
-        left.positions.len(),
-        all.positions.len(),
-        minimised.trials,
-        started.elapsed().as_secs_f64(),
-        if minimised.finished {
-            ""
-        } else {
-            "; stopped before the end"
-        },
-    );
+    let mut text = what_is_left(&minimised, &scene, started.elapsed());
     let best = match earlier {
         Some(earlier) if is_better(&earlier, &minimised, &judge, &methods)? => {
             text.push_str(&format!(
@@ -127,6 +113,24 @@ pub(super) fn execute(args: &MinimiseArgs, registry: &Registry) -> anyhow::Resul
         );
     }
     Ok(())
+}
+
+fn what_is_left(minimised: &Minimised, scene: &Scene, time: Duration) -> String {
+    let (left, all) = (&minimised.scene.mesh, &scene.mesh);
+    format!(
+        "{} of {} triangles are left, {} of {} vertices, after {} trials in {:.1} s{}\n",
+        left.triangles.len(),
+        all.triangles.len(),
+        left.positions.len(),
+        all.positions.len(),
+        minimised.trials,
+        time.as_secs_f64(),
+        if minimised.finished {
+            ""
+        } else {
+            "; stopped before the end"
+        },
+    )
 }
 
 /// Whether an earlier result still fails and has fewer triangles than the new one, or as few as one that is not
@@ -170,28 +174,11 @@ fn search(
     }
 }
 
-/// The scene with a camera that does not move.
-fn still(scene: Scene, view: &View, method: &str) -> Scene {
-    let View {
-        eye,
-        target,
-        up,
-        fov_y_rad,
-        near,
-    } = *view;
-    let time_s = 0.0;
+/// The scene at one moment, in which nothing moves.
+fn still(scene: Scene, moment: &Moment, method: &str) -> Scene {
     Scene {
         title: format!("{}, what is left where {method} fails", scene.title),
-        camera: CameraPath {
-            keys: vec![CameraKey {
-                time_s,
-                eye,
-                target,
-            }],
-            up,
-            fov_y_rad,
-            near,
-        },
+        flight: Flight::still(moment),
         ..scene
     }
 }
@@ -228,8 +215,7 @@ fn judge_again(
     methods: &[Box<dyn ShadowMethod>; 1],
 ) -> anyhow::Result<Box<Drawn>> {
     let scene = SceneFile::read(path)?.load(&ModelSearch::for_scene_file(path))?;
-    let same = (&scene.mesh_hash, scene.light, &scene.camera)
-        == (&written.mesh_hash, written.light, &written.camera);
+    let same = (&scene.mesh_hash, &scene.flight) == (&written.mesh_hash, &written.flight);
     anyhow::ensure!(
         same,
         "{} reads as another scene; is there another model of that name in the working directory?",

@@ -88,7 +88,7 @@ pub(super) fn execute(args: &RenderArgs, registry: &Registry) -> anyhow::Result<
         .collect();
     outputs::check(&args.shot.inputs()?, &outputs)?;
     let scene = args.shot.load()?;
-    let view = args.shot.view(&scene)?;
+    let moment = args.shot.moment(&scene)?;
     let gpu = args.device.open()?;
     let (width, height) = args.size;
     check_size(&gpu, args.size, "--size")?;
@@ -100,7 +100,7 @@ pub(super) fn execute(args: &RenderArgs, registry: &Registry) -> anyhow::Result<
 
     let cache = reference_cache()?;
     let verifier = Verifier::new(&gpu, &scene, &stage, &cache)?;
-    let truth = verifier.truth(&view)?;
+    let truth = verifier.truth(&moment)?;
     let mask = verifier.draw_mask(prepared.as_mut(), &truth)?;
     let picture = verifier.read_picture()?;
     let judgement = verifier.compare(&mask, &truth, prepared.as_ref())?;

@@ -3,10 +3,10 @@
 use super::values;
 use crate::config::{ConfigError, find_scene};
 use crate::metrics::MaskError;
-use crate::scene::camera::radians;
 use crate::scene::file::MeshSource;
-use crate::scene::{Scene, Up, View};
-use glam::{Vec3, Vec4};
+use crate::scene::view::radians;
+use crate::scene::{Light, Moment, Scene, Up, View};
+use glam::Vec3;
 use std::path::{Path, PathBuf};
 
 /// A scene, a view of it and its light.
@@ -35,7 +35,7 @@ pub(super) struct ShotArgs {
     time: Option<f64>,
     /// The light instead of the scene's: a point, or with W = 0 the direction towards it
     #[arg(long, value_name = "X,Y,Z[,W]", value_parser = values::light, allow_hyphen_values = true)]
-    light: Option<Vec4>,
+    light: Option<Light>,
 }
 
 impl ShotArgs {
@@ -71,16 +71,16 @@ impl ShotArgs {
         })
     }
 
-    /// The view of that scene.
-    pub(super) fn view(&self, scene: &Scene) -> anyhow::Result<View> {
+    /// The moment of that scene's flight, with the camera of the arguments.
+    pub(super) fn moment(&self, scene: &Scene) -> anyhow::Result<Moment> {
         let time_s = self.time.unwrap_or(0.0);
-        let duration_s = scene.camera.duration_s();
+        let duration_s = scene.flight.duration_s();
         if !(0.0..=duration_s).contains(&time_s) {
             let message =
                 format!("--time: the flight lasts from 0 to {duration_s} s, not to {time_s}");
             return Err(ConfigError(message).into());
         }
-        let path = scene.camera.view_at(time_s);
+        let Moment { view: path, light } = scene.flight.at(time_s);
         let view = View {
             eye: self.eye.unwrap_or(path.eye),
             target: self.target.unwrap_or(path.target),
@@ -88,9 +88,11 @@ impl ShotArgs {
             fov_y_rad: self.fov.map_or(path.fov_y_rad, radians),
             near: self.near.unwrap_or(path.near),
         };
-        view.validate()
-            .map_err(|error| ConfigError(format!("camera: {error}")))?;
-        Ok(view)
+        let moment = Moment { view, light };
+        moment
+            .validate()
+            .map_err(|error| ConfigError(error.to_string()))?;
+        Ok(moment)
     }
 }
 

@@ -1,7 +1,7 @@
 //! Values on the command line.
 
-use crate::scene::light;
-use glam::{DVec3, Vec3, Vec4};
+use crate::scene::Light;
+use glam::{DVec3, Vec3};
 use std::str::FromStr;
 
 /// `640x480`.
@@ -25,13 +25,13 @@ pub(super) fn vec3(text: &str) -> Result<Vec3, String> {
 }
 
 /// `1.5,2,-3`, a point, or `1,2,3,0`, a direction.
-pub(super) fn light(text: &str) -> Result<Vec4, String> {
+pub(super) fn light(text: &str) -> Result<Light, String> {
     let (xyz, w) = match numbers(text)?[..] {
         [x, y, z] => (DVec3::new(x, y, z), 1.0),
         [x, y, z, w] => (DVec3::new(x, y, z), w),
         _ => return Err(format!("`{text}` is not X,Y,Z or X,Y,Z,W")),
     };
-    light::light(xyz, w).map_err(|error| error.to_string())
+    Light::new(xyz, w).map_err(|error| error.to_string())
 }
 
 fn numbers<N: FromStr + Into<f64> + Copy>(text: &str) -> Result<Vec<N>, String> {
@@ -45,6 +45,7 @@ fn numbers<N: FromStr + Into<f64> + Copy>(text: &str) -> Result<Vec<N>, String> 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use glam::Vec4;
 
     #[test]
     fn sizes() {
@@ -57,9 +58,12 @@ mod tests {
     #[test]
     fn vectors_and_lights() {
         assert_eq!(vec3("1,-2.5,3e2"), Ok(Vec3::new(1.0, -2.5, 300.0)));
-        assert_eq!(light("1,2,3"), Ok(Vec4::new(1.0, 2.0, 3.0, 1.0)));
+        assert_eq!(light("1,2,3"), Ok(Light::at(Vec4::new(1.0, 2.0, 3.0, 1.0))));
         for direction in ["1,2,4,0", "1e-300,2e-300,4e-300,0", "2.5e299,5e299,1e300,0"] {
-            assert_eq!(light(direction), Ok(Vec4::new(0.25, 0.5, 1.0, 0.0)));
+            assert_eq!(
+                light(direction),
+                Ok(Light::at(Vec4::new(0.25, 0.5, 1.0, 0.0)))
+            );
         }
         for wrong in [
             "",

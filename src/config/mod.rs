@@ -11,7 +11,7 @@ pub use overrides::Overrides;
 pub use scene_lookup::{builtin_scenes, find_scene};
 
 use crate::methods::ShadowMethod;
-use crate::scene::{CameraPath, ModelSearch, SceneFile};
+use crate::scene::{Flight, ModelSearch, SceneFile};
 use std::time::Duration;
 
 /// Why a configuration cannot be run. The message names file and place.
@@ -121,25 +121,25 @@ impl RunPlan {
 
     /// When on the flight biases are tried: midway between the verified frames, lest a map be fitted to the very
     /// frames that it is judged by.
-    pub fn bias_times(&self, camera: &CameraPath) -> Vec<f64> {
-        let mut verified_s = self.verified_times(camera);
+    pub fn bias_times(&self, flight: &Flight) -> Vec<f64> {
+        let mut verified_s = self.verified_times(flight);
         if verified_s.is_empty() {
-            verified_s = camera.frame_times(BIAS_VIEWS);
+            verified_s = flight.frame_times(BIAS_VIEWS);
         }
         let next_s = verified_s.iter().skip(1).copied();
-        let next_s = next_s.chain([camera.duration_s()]);
+        let next_s = next_s.chain([flight.duration_s()]);
         let pairs = verified_s.iter().zip(next_s);
         pairs.map(|(a, b)| (a + b) / 2.0).collect()
     }
 
     /// When on the flight the frames are that are compared with the truth.
-    pub fn verified_times(&self, camera: &CameraPath) -> Vec<f64> {
+    pub fn verified_times(&self, flight: &Flight) -> Vec<f64> {
         match self.verification.frames {
             VerifiedFrames::Spread(count) => (0..count)
-                .map(|i| camera.duration_s() * (f64::from(i) + 0.5) / f64::from(count))
+                .map(|i| flight.duration_s() * (f64::from(i) + 0.5) / f64::from(count))
                 .collect(),
             VerifiedFrames::Every(step) => {
-                let measured = camera.frame_times(self.frames as usize);
+                let measured = flight.frame_times(self.frames as usize);
                 measured.into_iter().step_by(step as usize).collect()
             }
         }

@@ -76,14 +76,7 @@ pub(super) fn expand<R>(
             }
         }
     }
-    let points = axes.iter().try_fold(1, |points: usize, (key, axis)| {
-        let points = points.saturating_mul(axis.values.len());
-        if points <= MAX_POINTS {
-            return Ok(points);
-        }
-        let message = format!("lists of {points} values together; at most {MAX_POINTS} are run");
-        Err(Misplaced::new(key.span(), message))
-    })?;
+    let points = point_count(&axes)?;
     let lengths = axes
         .iter()
         .enumerate()
@@ -115,6 +108,18 @@ pub(super) fn expand<R>(
         }
     };
     (0..points).map(point).map(read).collect()
+}
+
+/// How many combinations the lists make.
+fn point_count<K>(axes: &[(Spanned<K>, Axis<'_>)]) -> Result<usize, Misplaced> {
+    axes.iter().try_fold(1, |points: usize, (key, axis)| {
+        let points = points.saturating_mul(axis.values.len());
+        if points <= MAX_POINTS {
+            return Ok(points);
+        }
+        let message = format!("lists of {points} values together; at most {MAX_POINTS} are run");
+        Err(Misplaced::new(key.span(), message))
+    })
 }
 
 enum Values<'a> {

@@ -31,7 +31,7 @@ pub use view::{FrameView, SceneExtents};
 pub use visible_triangles::VisibleTriangles;
 
 use crate::gpu::{DeviceError, FrameRecorder, Gpu, readback};
-use crate::scene::{Scene, View};
+use crate::scene::{Moment, Scene};
 use std::cell::Cell;
 use std::rc::Rc;
 
@@ -75,28 +75,6 @@ impl FrameResources {
         )
     }
 
-    /// A stage for each of the setups that the device can draw with (see [`DepthSetup::check`]), each once;
-    /// the first is the usual one.
-    ///
-    /// # Errors
-    /// When the device cannot hold them.
-    pub fn for_setups(
-        gpu: &Gpu,
-        scene: &Scene,
-        (width, height): (u32, u32),
-        setups: impl IntoIterator<Item = DepthSetup>,
-    ) -> Result<Vec<Self>, DeviceError> {
-        let mut stages = vec![Self::new(gpu, scene, width, height)?];
-        for setup in setups {
-            let is_known = stages.iter().any(|stage| stage.depth == setup);
-            if !is_known && setup.check(gpu).is_ok() {
-                let stage = stages[0].with_depth(gpu, setup)?;
-                stages.push(stage);
-            }
-        }
-        Ok(stages)
-    }
-
     /// The same scene and size with another depth buffer, which the device can draw with (see
     /// [`DepthSetup::check`]).
     ///
@@ -136,11 +114,11 @@ impl FrameResources {
     }
 
     /// Sets view and light of the frames recorded from now on.
-    pub fn set_view(&self, gpu: &Gpu, view: &View, light: glam::Vec4) -> FrameView {
+    pub fn set_view(&self, gpu: &Gpu, moment: &Moment) -> FrameView {
         let size_px = (self.targets.width, self.targets.height);
         let view = self
             .uniform
-            .write(gpu, view, light, &self.extents, size_px, self.depth);
+            .write(gpu, moment, &self.extents, size_px, self.depth);
         self.view.set(Some(view));
         view
     }

@@ -3,7 +3,7 @@
 use super::DepthSetup;
 use super::view::{FrameView, SceneExtents};
 use crate::gpu::Gpu;
-use crate::scene::View;
+use crate::scene::{Moment, View};
 use bytemuck::{Pod, Zeroable};
 use glam::{DMat4, Mat4, Vec3, Vec4};
 
@@ -73,21 +73,21 @@ impl FrameUniform {
     pub(super) fn write(
         &self,
         gpu: &Gpu,
-        view: &View,
-        light: Vec4,
+        moment: &Moment,
         extents: &SceneExtents,
         size_px: (u32, u32),
         depth: DepthSetup,
     ) -> FrameView {
         let (width, height) = (size_px.0 as f32, size_px.1 as f32);
+        let Moment { view, light } = moment;
         let view = &depth.near_plane_of(view);
         let reversed = view.view_projection(width / height);
         let clip_to_eye_ray = clip_to_eye_ray(reversed, view);
-        let frame_view = FrameView::new(view, reversed, clip_to_eye_ray, light, extents);
+        let frame_view = FrameView::new(view, reversed, clip_to_eye_ray, *light, extents);
         let data = FrameData {
             view_projection: depth.device_projection(reversed),
             clip_to_eye_ray,
-            light,
+            light: light.place,
             eye: view.eye.extend(1.0),
             picture: Vec4::new(width, height, view.near, depth.direction.far()),
             end_plane: frame_view.end_plane,

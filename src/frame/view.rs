@@ -3,7 +3,7 @@
 
 use crate::geometry::end_plane::AT_INFINITY;
 use crate::geometry::{Bounds, NearVolume, end_plane};
-use crate::scene::{Mesh, View};
+use crate::scene::{Light, Mesh, View};
 use glam::{DVec3, Mat4, Vec4};
 
 /// The near rectangle is taken to be larger by this part, more than all rounding.
@@ -46,8 +46,8 @@ pub struct FrameView {
     /// World to clip space with reversed infinite depth. What the device uses has these very bits in
     /// the rows for x, y and w.
     pub view_projection: Mat4,
-    /// See [`crate::scene::Scene::light`].
-    pub light: Vec4,
+    /// The light.
+    pub light: Light,
     /// The plane on which shadow volumes may end, see [`end_plane`](fn@end_plane).
     pub end_plane: Vec4,
     near_corners: [DVec3; 4],
@@ -58,7 +58,7 @@ impl FrameView {
         view: &View,
         view_projection: Mat4,
         clip_to_eye_ray: Mat4,
-        light: Vec4,
+        light: Light,
         extents: &SceneExtents,
     ) -> Self {
         let side = 1.0 + NEAR_MARGIN;
@@ -67,7 +67,7 @@ impl FrameView {
             let ray = (clip_to_eye_ray.as_dmat4() * ndc).truncate();
             view.eye.as_dvec3() + ray * f64::from(view.near)
         });
-        let plane = end_plane(extents.scene, extents.all_casters, light);
+        let plane = end_plane(extents.scene, extents.all_casters, light.place);
         // Back caps lie on the plane and count everywhere: nothing visible may be behind them.
         let is_before = |corner: &DVec3| plane.as_dvec4().dot(corner.extend(1.0)) > 0.0;
         Self {
@@ -84,6 +84,6 @@ impl FrameView {
 
     /// The near volume of this view and light.
     pub fn near_volume(&self) -> NearVolume {
-        NearVolume::new(self.near_corners, self.light)
+        NearVolume::new(self.near_corners, self.light.place)
     }
 }

@@ -31,7 +31,7 @@ impl Verifier<'_> {
         truth: &Truth,
         method: &dyn PreparedMethod,
     ) -> anyhow::Result<Judgement> {
-        let light = self.light;
+        let light = truth.moment.light;
         let wrong_px = wrong_px(mask, &truth.mask);
         let probe = BoundaryProbe::new(&self.reference, light, &truth.view, &truth.mask, wrong_px)?;
         let comparison = MaskComparison::new(mask, &truth.mask, |x, y| probe.near_boundary(x, y))?;
@@ -61,8 +61,8 @@ impl Verifier<'_> {
     pub fn flip(&self, truth: &Truth, true_picture: &[u8], picture: &[u8]) -> anyhow::Result<f64> {
         let mut expected = true_picture.to_vec();
         let pixels = expected.chunks_exact_mut(4).zip(picture.chunks_exact(4));
-        for ((expected, found), verdict) in pixels.zip(&truth.mask.verdicts) {
-            if *verdict == Verdict::Ambiguous {
+        for ((expected, found), verdict) in pixels.zip(truth.mask.verdicts()) {
+            if verdict == Verdict::Ambiguous {
                 expected.copy_from_slice(found);
             }
         }
@@ -73,10 +73,10 @@ impl Verifier<'_> {
 
 /// Pixels that are wrong, wherever.
 fn wrong_px(mask: &[u8], truth: &ReferenceMask) -> usize {
-    let is_wrong = |(value, verdict): &(&u8, &Verdict)| {
-        MaskComparison::is_shadowed(**value) != (**verdict == Verdict::Shadowed)
+    let is_wrong = |(value, verdict): &(&u8, Verdict)| {
+        MaskComparison::is_shadowed(**value) != (*verdict == Verdict::Shadowed)
     };
-    mask.iter().zip(&truth.verdicts).filter(is_wrong).count()
+    mask.iter().zip(truth.verdicts()).filter(is_wrong).count()
 }
 
 /// Which errors of a method's masks come or go from one view to the next.

@@ -5,8 +5,7 @@ use crate::frame::{DepthSetup, FrameResources, PreparedMethod};
 use crate::geometry::Topology;
 use crate::gpu::{DeviceError, FrameRecorder, Gpu, readback};
 use crate::methods::{self, PrepareContext, ShadowMethod};
-use crate::scene::{Scene, View};
-use glam::Vec4;
+use crate::scene::{Moment, Scene};
 use std::cell::{OnceCell, RefCell};
 use std::rc::Rc;
 
@@ -92,10 +91,10 @@ impl ReadyMethod {
     ///
     /// # Errors
     /// When the device is lost.
-    pub fn begin(&mut self, gpu: &Gpu, views: &[View], light: Vec4) -> anyhow::Result<()> {
+    pub fn begin(&mut self, gpu: &Gpu, lead_in: &[Moment]) -> anyhow::Result<()> {
         self.method.begin();
-        for view in views {
-            self.resources.set_view(gpu, view, light);
+        for moment in lead_in {
+            self.resources.set_view(gpu, moment);
             gpu.attempt(|| self.submit(gpu))?;
         }
         Ok(())

@@ -25,11 +25,17 @@ impl Verifier<'_> {
     /// When the view is no perspective.
     pub fn look(&self, truth: &Truth, pixels: &[usize]) -> anyhow::Result<Vec<PixelTruth>> {
         let (reference, mask) = (&self.reference, &truth.mask);
-        let probe = BoundaryProbe::new(reference, self.light, &truth.view, mask, pixels.len())?;
-        let evidence = reference.evidence(self.light, &truth.view, &truth.triangle_ids)?;
+        let probe = BoundaryProbe::new(
+            reference,
+            truth.moment.light,
+            &truth.view,
+            mask,
+            pixels.len(),
+        )?;
+        let evidence = reference.evidence(truth.moment.light, &truth.view, &truth.triangle_ids)?;
         let look = |&pixel: &usize| PixelTruth {
             triangle: truth.triangle_ids[pixel].checked_sub(1),
-            verdict: mask.verdicts[pixel],
+            verdict: mask.verdict(pixel),
             at_boundary: probe.near_boundary(pixel as u32 % mask.width, pixel as u32 / mask.width),
             at_seam: evidence.at_inner_edge(pixel, SEAM_STEPS),
         };
@@ -42,11 +48,13 @@ impl Verifier<'_> {
     /// # Errors
     /// When the view is no perspective.
     pub fn hard_errors(&self, mask: &[u8], truth: &Truth) -> anyhow::Result<Vec<usize>> {
-        let probe = self.reference.surroundings(self.light, &truth.view)?;
+        let probe = self
+            .reference
+            .surroundings(truth.moment.light, &truth.view)?;
         let width = truth.mask.width;
         let is_hard = |pixel: &usize| {
             let is_shadowed = MaskComparison::is_shadowed(mask[*pixel]);
-            let verdict = truth.mask.verdicts[*pixel];
+            let verdict = truth.mask.verdict(*pixel);
             let differs = |verdict| is_shadowed != (verdict == Verdict::Shadowed);
             (verdict == Verdict::Ambiguous || differs(verdict)) && {
                 let (x, y) = (*pixel as u32 % width, *pixel as u32 / width);

@@ -6,7 +6,6 @@ use crate::gpu::{Gpu, GpuError};
 use crate::methods::ShadowMethod;
 use crate::reference::{ReferenceCache, ReferenceMask};
 use crate::scene::Scene;
-use anyhow::Context;
 use std::cell::RefCell;
 
 /// Tries methods on the first view of scenes.
@@ -99,7 +98,7 @@ impl Judge {
             let known = match known {
                 Some(known) => known,
                 None => {
-                    truths.push((resources.depth, verifier.truth(&scene.camera.view_at(0.0))?));
+                    truths.push((resources.depth, verifier.truth(&scene.flight.at(0.0))?));
                     truths.len() - 1
                 }
             };
@@ -123,8 +122,7 @@ impl Judge {
     ) -> Vec<Result<Vec<u8>, NoPicture>> {
         self.on_devices(scene, methods, |device, method| {
             let mut ready = device.prepare(method)?;
-            let view = scene.camera.view_at(0.0);
-            ready.resources.set_view(&device.gpu, &view, scene.light);
+            ready.resources.set_view(&device.gpu, &scene.flight.at(0.0));
             ready
                 .resources
                 .draw_mask(&device.gpu, ready.method.as_mut())
@@ -162,7 +160,7 @@ impl Judge {
     }
 
     fn device_scene<'a>(&self, scene: &'a Scene) -> anyhow::Result<DeviceScene<'a>> {
-        scene.camera.view_at(0.0).validate().context("camera")?;
+        scene.flight.at(0.0).validate()?;
         Ok(DeviceScene::new(&self.gpu()?, scene, self.size_px)?)
     }
 }

@@ -8,9 +8,8 @@ use crate::metrics::EdgeDistances;
 use crate::reference::{
     CacheKey, Reference, ReferenceCache, ReferenceMask, ReferenceView, Verdict,
 };
-use crate::scene::{Scene, View};
+use crate::scene::{Moment, Scene};
 use anyhow::Context;
-use glam::Vec4;
 use std::rc::Rc;
 
 /// What the processor needs for a pixel of a picture that is compared with the truth: numbers of triangles,
@@ -24,13 +23,11 @@ pub struct Verifier<'a> {
     pub(super) stage: &'a FrameResources,
     pub(super) reference: Rc<Reference>,
     cache: &'a ReferenceCache,
-    /// The light of the pictures; at first the scene's.
-    pub light: Vec4,
 }
 
-/// What is true at one view.
+/// What is true at one moment.
 pub struct Truth {
-    camera: View,
+    pub(super) moment: Moment,
     pub(super) view: ReferenceView,
     pub(super) triangle_ids: Vec<u32>,
     /// The verdict of each pixel.
@@ -89,23 +86,21 @@ impl<'a> Verifier<'a> {
             stage,
             reference: Rc::clone(reference),
             cache,
-            light: scene.light,
         }
     }
 
-    /// The truth at `view`, from the cache or traced.
+    /// The truth at `moment`, from the cache or traced.
     ///
     /// # Errors
-    /// When the device is lost, memory is short, or there is no picture from that view.
-    pub fn truth(&self, view: &View) -> anyhow::Result<Truth> {
-        view.validate().context("camera")?;
-        let camera = *view;
+    /// When the device is lost, memory is short, or there is no picture of that moment.
+    pub fn truth(&self, moment: &Moment) -> anyhow::Result<Truth> {
+        moment.validate()?;
         let (width, height) = (self.stage.targets.width, self.stage.targets.height);
         memory::check(TRUTH_BYTES_PER_PIXEL * u64::from(width) * u64::from(height))
             .with_context(|| format!("the truth of {width} × {height} pixels is too large"))?;
         let FrameView {
             view_projection, ..
-        } = self.stage.set_view(self.gpu, view, self.light);
+        } = self.stage.set_view(self.gpu, moment);
         let ids = self.gpu.attempt(|| {
             let mut frame = FrameRecorder::untimed(self.gpu);
             self.stage.record_gbuffer(&mut frame);
@@ -118,12 +113,12 @@ impl<'a> Verifier<'a> {
             height,
             view_projection,
         };
-        let light = self.light;
+        let light = moment.light;
         let key = CacheKey::new(&self.scene.mesh_hash, light, &view, &triangle_ids);
         let trace = || self.reference.trace(light, &view, &triangle_ids);
         let mask = self.cache.get_or_trace(&key, &view, trace)?;
         Ok(Truth {
-            camera,
+            moment: *moment,
             edges: EdgeDistances::new(&mask),
             view,
             triangle_ids,
@@ -131,7 +126,7 @@ impl<'a> Verifier<'a> {
         })
     }
 
-    /// Draws the frame with `method` at the view of `truth`, and returns the mask: 0 lit to 255 in shadow.
+    /// Draws the frame with `method` at the moment of `truth`, and returns the mask: 0 lit to 255 in shadow.
     ///
     /// # Errors
     /// When the device is lost.
@@ -140,7 +135,7 @@ impl<'a> Verifier<'a> {
         method: &mut dyn PreparedMethod,
         truth: &Truth,
     ) -> anyhow::Result<Vec<u8>> {
-        self.stage.set_view(self.gpu, &truth.camera, self.light);
+        self.stage.set_view(self.gpu, &truth.moment);
         self.stage.draw_mask(self.gpu, method)
     }
 
@@ -154,9 +149,9 @@ impl<'a> Verifier<'a> {
         ready: &mut ReadyMethod,
         truth: &Truth,
     ) -> anyhow::Result<Vec<u8>> {
-        let views = lead_in_s.iter().map(|s| self.scene.camera.view_at(*s));
-        ready.begin(self.gpu, &views.collect::<Vec<_>>(), self.light)?;
-        self.stage.set_view(self.gpu, &truth.camera, self.light);
+        let lead_in = lead_in_s.iter().map(|s| self.scene.flight.at(*s));
+        ready.begin(self.gpu, &lead_in.collect::<Vec<_>>())?;
+        self.stage.set_view(self.gpu, &truth.moment);
         ready.draw_mask(self.gpu)
     }
 
@@ -174,9 +169,9 @@ impl<'a> Verifier<'a> {
     /// When the device is lost.
     pub fn true_picture(&self, truth: &Truth) -> anyhow::Result<Vec<u8>> {
         let gpu = self.gpu;
-        self.stage.set_view(gpu, &truth.camera, self.light);
-        let in_shadow = |verdict: &Verdict| u8::from(*verdict == Verdict::Shadowed) * u8::MAX;
-        let mask: Vec<u8> = truth.mask.verdicts.iter().map(in_shadow).collect();
+        self.stage.set_view(gpu, &truth.moment);
+        let in_shadow = |verdict: Verdict| u8::from(verdict == Verdict::Shadowed) * u8::MAX;
+        let mask: Vec<u8> = truth.mask.verdicts().map(in_shadow).collect();
         gpu.attempt(|| {
             let mut frame = FrameRecorder::untimed(gpu);
             self.stage.record_gbuffer(&mut frame);

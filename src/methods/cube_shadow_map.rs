@@ -57,7 +57,7 @@ impl MapKind for SixViews {
         context: &PrepareContext<'_>,
         map: &MapParameters,
     ) -> Result<Box<dyn PreparedMethod>, MethodError> {
-        let light = context.scene.light;
+        let light = context.scene.flight.at(0.0).light.place;
         if light.w == 0.0 {
             return Err(MethodError::Unavailable(NO_POINT.to_owned()));
         }
@@ -236,7 +236,7 @@ impl PreparedCube {
 
     /// Turns the faces to a light that has moved.
     fn follow(&mut self, frame: &mut Frame<'_>) -> anyhow::Result<()> {
-        let light = frame.view().light;
+        let light = frame.view().light.place;
         anyhow::ensure!(light.w != 0.0, NO_POINT);
         let light = light.truncate();
         if light == self.light {

@@ -5,6 +5,7 @@
 //! [`PreparedMethod`] is that method made ready for one scene on one device.
 
 mod cube_shadow_map;
+mod declare;
 mod depth_map;
 mod domain;
 mod frustum;

@@ -1,19 +1,5 @@
-//! Method parameters: each declared once, with its type, default, range and meaning.
-//!
-//! [`parameters!`](crate::parameters!) makes the struct that a method works with. What is read from a configuration,
-//! refused, listed and written into results comes from the same lines:
-//!
-//! ```
-//! svbench::parameters! {
-//!     /// What the map is drawn with.
-//!     pub struct Map {
-//!         resolution: u32 = 2048, in 1..=65536, "side in texels";
-//!     }
-//! }
-//! use svbench::methods::Parameters;
-//! assert_eq!(Map::default().resolution, 2048);
-//! assert_eq!(Map::default().parameters()[0].domain.to_string(), "from 1 to 65536");
-//! ```
+//! Method parameters: each declared once, with its type, default, range and meaning, by
+//! [`parameters!`](crate::parameters!).
 
 use super::domain::Domain;
 use serde::Serialize;
@@ -181,80 +167,4 @@ pub(super) fn configure(
         }
     }
     Ok(())
-}
-
-/// Declares the struct of a method's parameters: of each its name, type, default, range and meaning, then groups of
-/// parameters that several methods share.
-///
-/// ```text
-/// parameters! {
-///     struct Name {
-///         size: u32 = 8, in 1..=64, "what it is";
-///         shape: Shape = Shape::Round, "an enum needs no range; its words are serde's";
-///         ..common: CommonParameters;
-///     }
-/// }
-/// ```
-///
-/// Gives `Debug`, `Clone`, `Default` and [`Parameters`](crate::methods::Parameters).
-#[macro_export]
-macro_rules! parameters {
-    (@domain $type:ty) => { $crate::methods::Domain::of::<$type>() };
-    (@domain $type:ty, $domain:expr) => { $crate::methods::Domain::from($domain) };
-    (
-        $(#[$meta:meta])*
-        $vis:vis struct $name:ident $(<$kind:ident: $bound:path>)? {
-            $(
-                $(#[$of_field:meta])*
-                $field_vis:vis $field:ident: $type:ty = $default:expr, $(in $domain:expr,)? $words:expr;
-            )*
-            $(..$group:ident: $group_type:ty;)*
-        }
-    ) => {
-        $(#[$meta])*
-        #[derive(Debug, Clone)]
-        $vis struct $name $(<$kind: $bound>)? {
-            $($(#[$of_field])* $field_vis $field: $type,)*
-            $($group: $group_type,)*
-            $(kind: ::std::marker::PhantomData<$kind>,)?
-        }
-
-        impl $(<$kind: $bound>)? Default for $name $(<$kind>)? {
-            fn default() -> Self {
-                Self {
-                    $($field: $default,)*
-                    $($group: <$group_type>::default(),)*
-                    $(kind: ::std::marker::PhantomData::<$kind>,)?
-                }
-            }
-        }
-
-        impl $(<$kind: $bound>)? $crate::methods::Parameters for $name $(<$kind>)? {
-            fn parameters(&self) -> Vec<$crate::methods::Parameter> {
-                #[allow(unused_mut, reason = "there may be no group")]
-                let mut all = vec![$($crate::methods::Parameter::new(
-                    stringify!($field),
-                    (&self.$field, &$default),
-                    $crate::parameters!(@domain $type $(, $domain)?),
-                    $words,
-                )),*];
-                $(all.extend($crate::methods::Parameters::parameters(&self.$group));)*
-                all
-            }
-
-            fn set(
-                &mut self,
-                name: &str,
-                value: &$crate::methods::ParameterValue<'_>,
-            ) -> Result<bool, $crate::methods::ParameterError> {
-                Ok(false
-                    $(|| (name == stringify!($field) && {
-                        self.$field = $crate::methods::read_parameter(value)?;
-                        true
-                    }))*
-                    $(|| $crate::methods::Parameters::set(&mut self.$group, name, value)?)*
-                )
-            }
-        }
-    };
 }

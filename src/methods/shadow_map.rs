@@ -54,7 +54,7 @@ impl MapKind for OneView {
         map: &MapParameters,
     ) -> Result<Box<dyn PreparedMethod>, MethodError> {
         let vertices = LightFrustum::caster_vertices(&context.scene.mesh);
-        let light = context.scene.light;
+        let light = context.scene.flight.at(0.0).light.place;
         let frustum = LightFrustum::around(&vertices, light)
             .ok_or_else(|| MethodError::Unavailable(NOTHING_BEFORE_THE_LIGHT.to_owned()))?;
         let fit = Fit { light, frustum };
@@ -138,7 +138,7 @@ impl LookupLight {
 impl PreparedMap {
     /// Fits the frustum to a light that has moved.
     fn follow(&mut self, frame: &mut Frame<'_>) -> anyhow::Result<()> {
-        let light = frame.view().light;
+        let light = frame.view().light.place;
         if self.fit.light == light {
             return Ok(());
         }

@@ -88,7 +88,7 @@ fn check(shot: &Shot, blocks: fn(DVec3) -> bool, normal: fn(DVec3) -> DVec3) {
         (-1..=1).any(|dy| (-1..=1).any(|dx| differs(dx, dy)))
     };
     let (mut compared, mut in_shadow) = (0, 0);
-    for (pixel, (verdict, formula)) in shot.truth.verdicts.iter().zip(&formula).enumerate() {
+    for (pixel, (verdict, formula)) in shot.truth.verdicts().zip(&formula).enumerate() {
         let agrees = match (verdict, formula) {
             (Verdict::Background, None) | (Verdict::Ambiguous, _) => true,
             (Verdict::Lit, Some(shadowed)) => !shadowed,
@@ -144,14 +144,16 @@ fn hardly_a_pixel_of_the_sphere_grid_is_ambiguous() {
             .any(|range| range.contains(&(triangle as usize)))
     })
     .unwrap();
-    for time_s in scene.camera.frame_times(6) {
+    for time_s in scene.flight.frame_times(6) {
         let view = ReferenceView {
             width: 320,
             height: 240,
-            view_projection: scene.camera.view_at(time_s).view_projection(4.0 / 3.0),
+            view_projection: scene.flight.at(time_s).view.view_projection(4.0 / 3.0),
         };
         let ids = reference.visible_ids(&view).unwrap();
-        let mask = reference.trace(scene.light, &view, &ids).unwrap();
+        let mask = reference
+            .trace(scene.flight.at(time_s).light, &view, &ids)
+            .unwrap();
         let ambiguous = mask.count(Verdict::Ambiguous);
         assert!(ambiguous * 200 < 320 * 240, "{ambiguous} at {time_s} s");
         assert!(mask.count(Verdict::Shadowed) > 1000);

@@ -39,7 +39,7 @@ impl EdgeDistances {
             let from_edge = |squared: &f64| squared.sqrt() + EDGE_FROM_CENTRE_PX;
             squared.iter().map(from_edge).collect()
         } else {
-            vec![f64::INFINITY; truth.verdicts.len()]
+            vec![f64::INFINITY; truth.visibility.len()]
         };
         Self { distance_px }
     }
@@ -99,6 +99,7 @@ impl MaskComparison<'_> {
 mod tests {
     use super::*;
     use crate::reference::Verdict;
+    use crate::reference::fixtures::{of_verdicts, visibility};
 
     /// Lit left of column 10, in shadow from there on.
     fn truth() -> ReferenceMask {
@@ -106,7 +107,7 @@ mod tests {
             0..10 => Verdict::Lit,
             _ => Verdict::Shadowed,
         };
-        ReferenceMask::new(100, 20, (0..2000).map(verdict).collect()).unwrap()
+        of_verdicts(100, 20, (0..2000).map(verdict).collect())
     }
 
     fn distances(truth: &ReferenceMask, mask: &[u8], thin_shadow: bool) -> Distances {
@@ -132,8 +133,8 @@ mod tests {
     #[test]
     fn the_distance_is_euclidean() {
         let mut truth = truth();
-        truth.verdicts.fill(Verdict::Shadowed);
-        truth.verdicts[5 * 100 + 50] = Verdict::Lit;
+        truth.visibility.fill(visibility(Verdict::Shadowed));
+        truth.visibility[5 * 100 + 50] = visibility(Verdict::Lit);
         let mut mask = truth.to_grey();
         // Three columns and four rows from the pixel beside the edge at (51, 6).
         mask[10 * 100 + 54] = 0;
@@ -160,7 +161,7 @@ mod tests {
         let mut truth = truth();
         let right = distances(&truth, &truth.to_grey(), false);
         assert_eq!(right, Distances::default());
-        truth.verdicts.fill(Verdict::Lit);
+        truth.visibility.fill(visibility(Verdict::Lit));
         let distances = distances(&truth, &[255; 2000], false);
         assert_eq!(distances.classes().last(), Some(("more", 2000)));
         assert_eq!(distances.max_px, None);

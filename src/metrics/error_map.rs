@@ -25,7 +25,7 @@ impl MaskComparison<'_> {
     /// Right pixels show the reference, dimmed. Red and blue stay apart for colour-blind eyes.
     #[must_use]
     pub fn error_map(&self) -> Vec<u8> {
-        let colour = |(result, verdict): (&PixelResult, &Verdict)| match result {
+        let colour = |(result, verdict): (&PixelResult, Verdict)| match result {
             PixelResult::FalseLit(Place::Artifact) => FALSE_LIT_ARTIFACT_RGB,
             PixelResult::FalseLit(Place::Boundary) => FALSE_LIT_BOUNDARY_RGB,
             PixelResult::FalseShadowed(Place::Artifact) => FALSE_SHADOWED_ARTIFACT_RGB,
@@ -39,7 +39,7 @@ impl MaskComparison<'_> {
         };
         self.results()
             .iter()
-            .zip(&self.truth.verdicts)
+            .zip(self.truth.verdicts())
             .flat_map(colour)
             .collect()
     }
@@ -48,7 +48,7 @@ impl MaskComparison<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::reference::ReferenceMask;
+    use crate::reference::fixtures::of_verdicts;
 
     #[test]
     fn each_result_has_its_colour() {
@@ -56,7 +56,7 @@ mod tests {
         let verdicts = vec![
             Lit, Shadowed, Background, Background, Ambiguous, Lit, Lit, Shadowed,
         ];
-        let truth = ReferenceMask::new(4, 2, verdicts).unwrap();
+        let truth = of_verdicts(4, 2, verdicts);
         let mask = [0, 255, 0, 255, 0, 0, 255, 0];
         let comparison = MaskComparison::new(&mask, &truth, |_, _| false).unwrap();
         let map = comparison.error_map();

@@ -23,7 +23,7 @@ impl Flicker {
         after: &MaskComparison<'_>,
     ) -> Self {
         let state = |comparison: &MaskComparison<'_>, pixel: usize| {
-            let verdict = *comparison.truth.verdicts.get(pixel)?;
+            let verdict = Verdict::of(*comparison.truth.visibility.get(pixel)?);
             let decided = matches!(verdict, Verdict::Lit | Verdict::Shadowed);
             decided.then(|| (verdict, comparison.results()[pixel] == PixelResult::Right))
         };
@@ -45,6 +45,7 @@ impl Flicker {
 mod tests {
     use super::*;
     use crate::reference::fixtures::{Scene, sphere, square, view};
+    use crate::scene::Light;
     use glam::{Vec3, Vec4};
 
     const LIGHT: Vec4 = Vec4::new(2.0, 6.0, 1.0, 1.0);
@@ -63,7 +64,8 @@ mod tests {
                 120,
             )
         });
-        let [(ids, truth), (next_ids, next_truth)] = views.map(|view| scene.trace(LIGHT, &view));
+        let [(ids, truth), (next_ids, next_truth)] =
+            views.map(|view| scene.trace(Light::at(LIGHT), &view));
         let motion = reference
             .follow((&views[0], &ids), (&views[1], &next_ids))
             .unwrap();

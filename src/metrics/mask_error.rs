@@ -4,7 +4,7 @@ use rayon::prelude::*;
 use serde::Serialize;
 use std::ops::{Add, AddAssign};
 
-use crate::reference::{ReferenceMask, Verdict};
+use crate::reference::{ReferenceMask, Verdict, Visibility};
 
 /// A mask value from which a pixel counts as in shadow.
 const SHADOWED_FROM: u8 = 128;
@@ -145,7 +145,7 @@ impl<'a> MaskComparison<'a> {
         truth: &'a ReferenceMask,
         near_boundary: impl Fn(u32, u32) -> bool + Sync,
     ) -> Result<Self, MaskSizeError> {
-        let (mask_px, reference_px) = (mask.len(), truth.verdicts.len());
+        let (mask_px, reference_px) = (mask.len(), truth.visibility.len());
         if mask_px != reference_px {
             return Err(MaskSizeError {
                 mask_px,
@@ -160,8 +160,8 @@ impl<'a> MaskComparison<'a> {
                 Place::Artifact
             }
         };
-        let result = |(pixel, (&value, &verdict)): (usize, (&u8, &Verdict))| match (
-            verdict,
+        let result = |(pixel, (&value, &visibility)): (usize, (&u8, &Option<Visibility>))| match (
+            Verdict::of(visibility),
             Self::is_shadowed(value),
         ) {
             (Verdict::Ambiguous, _) => PixelResult::Ambiguous,
@@ -174,7 +174,7 @@ impl<'a> MaskComparison<'a> {
         };
         let pixels = mask
             .par_iter()
-            .zip(&truth.verdicts)
+            .zip(&truth.visibility)
             .enumerate()
             .with_min_len(64);
         Ok(Self {
@@ -202,7 +202,7 @@ impl<'a> MaskComparison<'a> {
             PixelResult::Ambiguous => None,
             PixelResult::FalseLit(_) => Some(false),
             PixelResult::FalseShadowed(_) => Some(true),
-            PixelResult::Right => Some(self.truth.verdicts[pixel] == Verdict::Shadowed),
+            PixelResult::Right => Some(self.truth.verdict(pixel) == Verdict::Shadowed),
         }
     }
 
@@ -252,6 +252,7 @@ impl<'a> MaskComparison<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::reference::fixtures::{of_verdicts, visibility};
     use std::sync::atomic::{AtomicU32, Ordering};
 
     const SIZE: u32 = 32;
@@ -263,7 +264,7 @@ mod tests {
             (8..24, 12..24) => Verdict::Shadowed,
             _ => Verdict::Lit,
         };
-        ReferenceMask::new(SIZE, SIZE, (0..SIZE * SIZE).map(verdict).collect()).unwrap()
+        of_verdicts(SIZE, SIZE, (0..SIZE * SIZE).map(verdict).collect())
     }
 
     fn error(mask: &[u8]) -> MaskError {
@@ -332,7 +333,7 @@ mod tests {
     #[test]
     fn ambiguous_pixels_are_left_out() {
         let mut truth = truth();
-        truth.verdicts[20 * SIZE as usize + 3] = Verdict::Ambiguous;
+        truth.visibility[20 * SIZE as usize + 3] = visibility(Verdict::Ambiguous);
         let error = MaskComparison::new(&[255; 1024], &truth, |_, _| false)
             .unwrap()
             .error();

@@ -9,6 +9,7 @@ mod distances;
 mod error_map;
 mod flicker;
 mod flip;
+mod label;
 mod labels;
 mod mask_error;
 mod regions;
@@ -25,6 +26,7 @@ pub use error_map::{
 };
 pub use flicker::Flicker;
 pub use flip::{PictureSizeError, mean_flip};
-pub use labels::{Analysis, FrameContext, Label, SEAM_STEPS, TexelLookup, analyse};
+pub use label::Label;
+pub use labels::{Analysis, FrameContext, SEAM_STEPS, TexelLookup, analyse};
 pub use mask_error::{MaskComparison, MaskError, MaskSizeError, PixelResult, Place, undecided};
 pub use regions::{Region, Sign};

@@ -4,7 +4,7 @@ use imageproc::image::{GrayImage, Luma};
 use imageproc::region_labelling::{Connectivity, connected_components};
 use std::cmp::Reverse;
 
-use super::labels::Label;
+use super::label::Label;
 use super::mask_error::{MaskComparison, PixelResult, Place};
 
 /// In which direction a pixel is wrong.
@@ -110,6 +110,7 @@ pub(super) fn artifacts(comparison: &MaskComparison<'_>) -> Vec<Artifact> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::reference::fixtures::{of_verdicts, visibility};
     use crate::reference::{ReferenceMask, Verdict};
 
     fn truth() -> ReferenceMask {
@@ -117,7 +118,7 @@ mod tests {
             0..20 => Verdict::Lit,
             _ => Verdict::Shadowed,
         };
-        ReferenceMask::new(40, 20, (0..800).map(verdict).collect()).unwrap()
+        of_verdicts(40, 20, (0..800).map(verdict).collect())
     }
 
     #[test]
@@ -154,8 +155,8 @@ mod tests {
     #[test]
     fn touching_regions_of_both_signs_stay_apart() {
         let mut truth = truth();
-        truth.verdicts.fill(Verdict::Shadowed);
-        truth.verdicts[..400].fill(Verdict::Background);
+        truth.visibility.fill(visibility(Verdict::Shadowed));
+        truth.visibility[..400].fill(visibility(Verdict::Background));
         let mask = [[255; 400], [0; 400]].concat();
         let comparison = MaskComparison::new(&mask, &truth, |_, _| false).unwrap();
         let signs: Vec<_> = artifacts(&comparison)

@@ -5,6 +5,7 @@ use glam::{DVec3, Vec3, Vec4};
 use super::{Analysis, EdgeDistances, FrameContext, Label, MaskComparison, TexelLookup, analyse};
 use crate::reference::fixtures::{Scene, sphere, square, view};
 use crate::reference::{BoundaryProbe, EvidenceProbe, Reference, ReferenceMask, ReferenceView};
+use crate::scene::Light;
 
 pub(super) const WIDTH: usize = 320;
 pub(super) const HEIGHT: usize = 240;
@@ -16,7 +17,7 @@ pub(super) const LIGHT: Vec4 = Vec4::new(2.0, 6.0, 1.0, 1.0);
 pub(super) struct Shot {
     pub(super) scene: Scene,
     pub(super) reference: Reference,
-    pub(super) light: Vec4,
+    pub(super) light: Light,
     pub(super) view: ReferenceView,
     pub(super) ids: Vec<u32>,
     pub(super) truth: ReferenceMask,
@@ -25,7 +26,7 @@ pub(super) struct Shot {
 impl Shot {
     pub(super) fn new(scene: Scene, light: Vec4, eye: Vec3) -> Self {
         let view = view(eye, Vec3::new(0.0, 0.5, 0.0), WIDTH as u32, HEIGHT as u32);
-        let reference = scene.reference();
+        let (reference, light) = (scene.reference(), Light::at(light));
         let ids = reference.visible_ids(&view).unwrap();
         let truth = reference.trace(light, &view, &ids).unwrap();
         Self {

@@ -139,10 +139,13 @@ pub struct SceneRecord {
     pub objects: Option<u64>,
     /// Hash over the mesh as drawn; empty where the scene could not be loaded.
     pub mesh_hash: String,
-    /// Position of the light, or the direction towards it.
+    /// Position of the light, or the direction towards it, at the start of the flight.
     pub light: [f32; 3],
     /// Fourth coordinate of the light: 1 at a position, 0 at infinity.
     pub light_w: f32,
+    /// Whether the light moves during the flight.
+    #[serde(default)]
+    pub light_moves: bool,
     /// How the edges of the mesh are shared.
     pub edges: Option<EdgeRecord>,
     /// Whether the scene was measured.

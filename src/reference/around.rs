@@ -1,11 +1,12 @@
 //! A second way to know: what is true all around a pixel's centre.
 
-use glam::{DVec2, Vec4};
+use glam::DVec2;
 
-use super::segment::Light;
+use super::segment::ExactLight;
 use super::surface::point_seen;
 use super::view::Projection;
 use super::{Reference, ReferenceError, ReferenceView, Verdict};
+use crate::scene::Light;
 
 /// How far from the centre the places are that are asked: twice the step of the rasteriser's grid.
 const RADIUS_PX: f64 = 1.0 / 128.0;
@@ -20,7 +21,7 @@ const PLACES: u32 = 8;
 /// without that rule: a mask that differs from both is wrong, whatever [`Reference::trace`] says.
 pub struct SurroundingsProbe<'a> {
     reference: &'a Reference,
-    light: Light,
+    light: ExactLight,
     projection: Projection,
 }
 
@@ -31,12 +32,12 @@ impl Reference {
     /// [`ReferenceError::BadLight`], [`ReferenceError::BadMatrix`].
     pub fn surroundings(
         &self,
-        light: Vec4,
+        light: Light,
         view: &ReferenceView,
     ) -> Result<SurroundingsProbe<'_>, ReferenceError> {
         Ok(SurroundingsProbe {
             reference: self,
-            light: Light::new(light)?,
+            light: ExactLight::new(light)?,
             projection: Projection::new(view)?,
         })
     }
@@ -79,9 +80,9 @@ impl SurroundingsProbe<'_> {
         let (tree, projection) = (&self.reference.tree, &self.projection);
         let own = tree.primitive(triangle);
         let point = point_seen(projection, centre_px, &own.corners, tree.scale)?;
-        Some(
-            self.reference
-                .judge(own, point, projection.eye, self.light, &mut None),
-        )
+        let visibility = self
+            .reference
+            .judge(own, point, projection.eye, self.light, &mut None);
+        Some(Verdict::of(Some(visibility)))
     }
 }

@@ -1,11 +1,12 @@
 //! Where the true shadow boundary runs, finer than a pixel: asked of wrong pixels only.
 
-use glam::{DVec2, Vec4};
+use glam::DVec2;
 use std::sync::atomic::{AtomicU8, Ordering};
 
-use super::segment::Light;
+use super::segment::ExactLight;
 use super::view::Projection;
 use super::{Reference, ReferenceError, ReferenceMask, ReferenceView, Verdict};
+use crate::scene::Light;
 
 /// Samples along a pixel's side. A shadow thinner than a quarter of a pixel may go unseen.
 const FINE_PER_PX: i64 = 4;
@@ -22,7 +23,7 @@ const MANY_PX: usize = 20_000;
 /// since wrong pixels come in clusters and their squares overlap.
 pub struct BoundaryProbe<'a> {
     reference: &'a Reference,
-    light: Light,
+    light: ExactLight,
     projection: Projection,
     truth: &'a ReferenceMask,
     samples_per_px: i64,
@@ -38,16 +39,16 @@ impl<'a> BoundaryProbe<'a> {
     /// As [`Reference::trace`].
     pub fn new(
         reference: &'a Reference,
-        light: Vec4,
+        light: Light,
         view: &ReferenceView,
         truth: &'a ReferenceMask,
         wrong_px: usize,
     ) -> Result<Self, ReferenceError> {
-        let (expected, found) = (view.pixel_count(), truth.verdicts.len());
+        let (expected, found) = (view.pixel_count(), truth.visibility.len());
         if (truth.width, truth.height) != (view.width, view.height) || expected != found {
             return Err(ReferenceError::WrongSize { expected, found });
         }
-        let (light, projection) = (Light::new(light)?, Projection::new(view)?);
+        let (light, projection) = (ExactLight::new(light)?, Projection::new(view)?);
         let samples_per_px = if wrong_px > MANY_PX {
             COARSE_PER_PX
         } else {

@@ -1,6 +1,5 @@
-//! Reference masks kept on disk: one 8-bit grey PNG a mask, named by what it was traced from and sealed.
+//! Reference masks kept on disk: one PNG a mask, named by what it was traced from and sealed.
 
-use glam::Vec4;
 use std::fs::File;
 use std::io::BufReader;
 use std::path::{Path, PathBuf};
@@ -8,12 +7,13 @@ use std::sync::{Mutex, PoisonError};
 use std::time::SystemTime;
 
 use super::cache_folder::{Contents, MASK_SUFFIX, PREFIX};
-use super::{ReferenceMask, ReferenceView, Verdict};
+use super::{ReferenceMask, ReferenceView, Visibility};
 use crate::output;
+use crate::scene::Light;
 
 /// Part of every key: raise it whenever a verdict may come out otherwise, so that masks traced by
 /// an older program are not found.
-const FORMAT_VERSION: u32 = 3;
+const FORMAT_VERSION: u32 = 4;
 
 /// Names a reference mask by all that it depends on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -24,17 +24,14 @@ impl CacheKey {
     /// [`Reference::new`](super::Reference::new) is given: positions, triangles, and which of
     /// them cast.
     #[must_use]
-    pub fn new(scene_hash: &str, light: Vec4, view: &ReferenceView, triangle_ids: &[u32]) -> Self {
+    pub fn new(scene_hash: &str, light: Light, view: &ReferenceView, triangle_ids: &[u32]) -> Self {
         let mut hasher = blake3::Hasher::new();
         hasher.update(&FORMAT_VERSION.to_le_bytes());
         // Its length first, so that no hash runs into what follows.
         hasher.update(&(scene_hash.len() as u64).to_le_bytes());
         hasher.update(scene_hash.as_bytes());
-        for value in light
-            .to_array()
-            .into_iter()
-            .chain(view.view_projection.to_cols_array())
-        {
+        let light = light.place.to_array().into_iter().chain([light.radius]);
+        for value in light.chain(view.view_projection.to_cols_array()) {
             hasher.update(&value.to_le_bytes());
         }
         hasher.update(&view.width.to_le_bytes());
@@ -137,7 +134,7 @@ impl ReferenceCache {
 /// The text chunk that holds [`seal`].
 const SEAL: &str = "svbench seal";
 
-/// What a file says of itself, to be believed: a hash over the key and all verdicts.
+/// What a file says of itself, to be believed: a hash over the key and all pixels.
 fn seal(key: &CacheKey, (width, height): (u32, u32), bytes: &[u8]) -> String {
     let mut hasher = blake3::Hasher::new();
     hasher.update(key.0.as_bytes());
@@ -153,7 +150,8 @@ fn read_png(file: &mut File, key: &CacheKey, view: &ReferenceView) -> Option<Ref
     let size = (info.width, info.height);
     // Before there is any room for the picture: a damaged file may say that it is huge.
     if size != (view.width, view.height)
-        || (info.color_type, info.bit_depth) != (png::ColorType::Grayscale, png::BitDepth::Eight)
+        || (info.color_type, info.bit_depth)
+            != (png::ColorType::GrayscaleAlpha, png::BitDepth::Eight)
     {
         return None;
     }
@@ -164,21 +162,18 @@ fn read_png(file: &mut File, key: &CacheKey, view: &ReferenceView) -> Option<Ref
     if sealed != seal(key, size, &bytes) {
         return None;
     }
-    let verdicts = bytes
-        .into_iter()
-        .map(to_verdict)
-        .collect::<Option<Vec<_>>>()?;
-    ReferenceMask::new(size.0, size.1, verdicts).ok()
+    let pixels = bytes.as_chunks().0.iter().copied().map(of_bytes);
+    ReferenceMask::new(size.0, size.1, pixels.collect()).ok()
 }
 
 /// Writes beside the file and renames, so that no reader ever meets half a file.
 fn write_png(path: &Path, key: &CacheKey, mask: &ReferenceMask) -> anyhow::Result<()> {
     output::create_dir_all(path.parent().unwrap_or(Path::new(".")))?;
     let size = (mask.width, mask.height);
-    let bytes: Vec<u8> = mask.verdicts.iter().copied().map(to_byte).collect();
+    let bytes: Vec<u8> = mask.visibility.iter().copied().flat_map(to_bytes).collect();
     output::write_with(path, |file| {
         let mut encoder = png::Encoder::new(file, size.0, size.1);
-        encoder.set_color(png::ColorType::Grayscale);
+        encoder.set_color(png::ColorType::GrayscaleAlpha);
         encoder.set_depth(png::BitDepth::Eight);
         encoder.add_text_chunk(SEAL.to_owned(), seal(key, size, &bytes))?;
         let mut encoder = encoder.write_header()?;
@@ -187,24 +182,14 @@ fn write_png(path: &Path, key: &CacheKey, mask: &ReferenceMask) -> anyhow::Resul
     })
 }
 
-/// Unlike [`ReferenceMask::to_grey`], tells the background from what is lit.
-fn to_byte(verdict: Verdict) -> u8 {
-    match verdict {
-        Verdict::Lit => 0,
-        Verdict::Background => 64,
-        Verdict::Ambiguous => 128,
-        Verdict::Shadowed => 255,
-    }
+/// What the visibility is at least and at most; the wrong way round where nothing is seen.
+fn to_bytes(visibility: Option<Visibility>) -> [u8; 2] {
+    let (low, high) = visibility.map_or((u8::MAX, 0), Visibility::bounds);
+    [low, high]
 }
 
-fn to_verdict(byte: u8) -> Option<Verdict> {
-    match byte {
-        0 => Some(Verdict::Lit),
-        64 => Some(Verdict::Background),
-        128 => Some(Verdict::Ambiguous),
-        255 => Some(Verdict::Shadowed),
-        _ => None,
-    }
+fn of_bytes([low, high]: [u8; 2]) -> Option<Visibility> {
+    Visibility::between(low, high)
 }
 
 #[cfg(test)]

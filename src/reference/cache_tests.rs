@@ -1,7 +1,10 @@
+use super::super::Verdict;
+use super::super::fixtures::of_verdicts;
 use super::*;
-use glam::Mat4;
+use glam::{Mat4, Vec4};
 use std::convert::Infallible;
 
+const LIGHT: Light = Light::at(Vec4::ONE);
 const VIEW: ReferenceView = ReferenceView {
     width: 2,
     height: 2,
@@ -10,7 +13,7 @@ const VIEW: ReferenceView = ReferenceView {
 const IDS: [u32; 4] = [0, 1, 2, 3];
 
 fn key() -> CacheKey {
-    CacheKey::new("scene", Vec4::ONE, &VIEW, &IDS)
+    CacheKey::new("scene", LIGHT, &VIEW, &IDS)
 }
 
 fn mask() -> ReferenceMask {
@@ -20,7 +23,7 @@ fn mask() -> ReferenceMask {
         Verdict::Shadowed,
         Verdict::Ambiguous,
     ];
-    ReferenceMask::new(2, 2, verdicts).unwrap()
+    of_verdicts(2, 2, verdicts)
 }
 
 /// Asks for the mask, and says whether it had to be traced.
@@ -80,12 +83,17 @@ fn all_that_a_mask_depends_on_is_in_its_key() {
         view_projection: Mat4::from_scale(2.0 * glam::Vec3::ONE),
         ..VIEW
     };
+    let ball = Light {
+        radius: 0.1,
+        ..LIGHT
+    };
     let others = [
-        CacheKey::new("scene2", Vec4::ONE, &VIEW, &IDS),
-        CacheKey::new("scene", Vec4::X, &VIEW, &IDS),
-        CacheKey::new("scene", Vec4::ONE, &view, &IDS),
-        CacheKey::new("scene", Vec4::ONE, &moved, &IDS),
-        CacheKey::new("scene", Vec4::ONE, &VIEW, &[0, 1, 2, 4]),
+        CacheKey::new("scene2", LIGHT, &VIEW, &IDS),
+        CacheKey::new("scene", Light::at(Vec4::X), &VIEW, &IDS),
+        CacheKey::new("scene", ball, &VIEW, &IDS),
+        CacheKey::new("scene", LIGHT, &view, &IDS),
+        CacheKey::new("scene", LIGHT, &moved, &IDS),
+        CacheKey::new("scene", LIGHT, &VIEW, &[0, 1, 2, 4]),
     ];
     assert!(others.iter().all(|other| *other != key()));
 }
@@ -100,9 +108,9 @@ fn a_file_of_other_verdicts_size_or_key_is_traced_anew() {
     let whole = std::fs::read(&path).unwrap();
     let lit = |width, height| {
         let verdicts = vec![Verdict::Lit; (width * height) as usize];
-        ReferenceMask::new(width, height, verdicts).unwrap()
+        of_verdicts(width, height, verdicts)
     };
-    let other_key = CacheKey::new("other scene", Vec4::ONE, &VIEW, &IDS);
+    let other_key = CacheKey::new("other scene", LIGHT, &VIEW, &IDS);
     for (other, sealed_by) in [
         (lit(2, 2), other_key),
         (lit(1, 1), key()),
@@ -138,13 +146,13 @@ fn a_damaged_file_that_says_it_is_huge_takes_no_memory() {
 }
 
 fn keep(cache: &ReferenceCache, scene: &str) {
-    let key = CacheKey::new(scene, Vec4::ONE, &VIEW, &IDS);
+    let key = CacheKey::new(scene, LIGHT, &VIEW, &IDS);
     let kept = cache.get_or_trace(&key, &VIEW, || Ok::<_, Infallible>(mask()));
     assert_eq!(kept.unwrap(), mask());
 }
 
 fn age(cache: &ReferenceCache, scene: &str, age_s: u64) {
-    let key = CacheKey::new(scene, Vec4::ONE, &VIEW, &IDS);
+    let key = CacheKey::new(scene, LIGHT, &VIEW, &IDS);
     let file = File::options().append(true).open(cache.path(&key).unwrap());
     let then = SystemTime::now() - std::time::Duration::from_secs(age_s);
     file.unwrap().set_modified(then).unwrap();
@@ -171,7 +179,7 @@ fn the_folder_stays_within_its_bound_and_what_is_used_stays() {
     let cache = open(2 * bytes);
     keep(&cache, "four");
     let is_kept = |scene| {
-        let key = CacheKey::new(scene, Vec4::ONE, &VIEW, &IDS);
+        let key = CacheKey::new(scene, LIGHT, &VIEW, &IDS);
         cache.path(&key).unwrap().exists()
     };
     let kept = ["one", "two", "three", "four"].map(is_kept);

@@ -122,15 +122,16 @@ fn is_ordered([from, to]: [Vec3; 2]) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::super::segment::Light;
+    use super::super::segment::ExactLight;
     use super::*;
+    use crate::scene::Light;
     use glam::Vec4;
     use proptest::prelude::*;
 
     const TRIANGLE: [Vec3; 3] = [Vec3::ZERO, Vec3::X, Vec3::Y];
 
     fn segment(start: [f64; 3], end: [f64; 3]) -> Segment {
-        Segment::new(DVec3::from(start), Light::Point(DVec3::from(end)), 1.0)
+        Segment::new(DVec3::from(start), ExactLight::Point(DVec3::from(end)), 1.0)
     }
 
     #[test]
@@ -154,7 +155,7 @@ mod tests {
 
     #[test]
     fn a_ray_has_no_end() {
-        let away = Light::new(Vec4::new(0.0, 0.0, -5.0, 0.0)).unwrap();
+        let away = ExactLight::new(Light::at(Vec4::new(0.0, 0.0, -5.0, 0.0))).unwrap();
         let far = Segment::new(DVec3::new(0.2, 0.2, 1e6), away, 1e6);
         assert_eq!(contact(&far, &TRIANGLE), Contact::Block);
     }
@@ -222,7 +223,7 @@ mod tests {
         fn contact_does_not_depend_on_the_winding(
             start in vector(), end in vector(), a in vector(), b in vector(), c in vector()
         ) {
-            let segment = Segment::new(start.as_dvec3(), Light::Point(end.as_dvec3()), 10.0);
+            let segment = Segment::new(start.as_dvec3(), ExactLight::Point(end.as_dvec3()), 10.0);
             let expected = contact(&segment, &[a, b, c]);
             for corners in [[b, c, a], [c, b, a], [a, c, b]] {
                 prop_assert_eq!(contact(&segment, &corners), expected);

@@ -1,13 +1,14 @@
 //! What is known of the surface point behind one pixel: asked of wrong pixels, to tell why.
 
-use glam::{DVec2, DVec3, Vec3, Vec4};
+use glam::{DVec2, DVec3, Vec3};
 
 use super::contact::{Contact, EdgeContact, contact};
-use super::segment::{Light, Plane, Segment};
+use super::segment::{ExactLight, Plane, Segment};
 use super::surface::point_seen;
 use super::tree::{Primitive, Visit};
 use super::view::Projection;
 use super::{Reference, ReferenceError, ReferenceView};
+use crate::scene::Light;
 
 /// What the reference knows of one pixel.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,7 +29,7 @@ pub struct Evidence {
 /// Answers what is known of single pixels of one picture.
 pub struct EvidenceProbe<'a> {
     reference: &'a Reference,
-    light: Light,
+    light: ExactLight,
     projection: Projection,
     width: usize,
     triangle_ids: &'a [u32],
@@ -41,14 +42,14 @@ impl Reference {
     /// As [`Reference::trace`].
     pub fn evidence<'a>(
         &'a self,
-        light: Vec4,
+        light: Light,
         view: &ReferenceView,
         triangle_ids: &'a [u32],
     ) -> Result<EvidenceProbe<'a>, ReferenceError> {
         self.check_ids(view, triangle_ids)?;
         Ok(EvidenceProbe {
             reference: self,
-            light: Light::new(light)?,
+            light: ExactLight::new(light)?,
             projection: Projection::new(view)?,
             width: view.width as usize,
             triangle_ids,
@@ -185,7 +186,7 @@ impl EvidenceProbe<'_> {
 mod tests {
     use super::super::fixtures::{Scene, square, view};
     use super::*;
-    use glam::Vec3;
+    use glam::{Vec3, Vec4};
 
     /// Looks straight down on a floor with five squares above it.
     fn scene() -> (Scene, ReferenceView) {
@@ -205,7 +206,7 @@ mod tests {
         let reference = scene.reference();
         let ids = reference.visible_ids(&view).unwrap();
         // Straight from above: the shadow is the square itself, and its diagonal passes the centre.
-        let probe = reference.evidence(Vec4::Y, &view, &ids).unwrap();
+        let probe = reference.evidence(Light::at(Vec4::Y), &view, &ids).unwrap();
         let mut shadowed = 0;
         for pixel in 0..view.pixel_count() {
             let Some(evidence) = probe.at(pixel).filter(|e| e.triangle >= scene.casters) else {
@@ -225,7 +226,7 @@ mod tests {
         let (scene, view) = scene();
         let reference = scene.reference();
         let ids = reference.visible_ids(&view).unwrap();
-        let probe = reference.evidence(Vec4::Y, &view, &ids).unwrap();
+        let probe = reference.evidence(Light::at(Vec4::Y), &view, &ids).unwrap();
         let at = |x: usize| probe.point(150 * 200 + x).unwrap();
         // The floor does not recede along a row.
         let found = probe.px_size(at(100));
@@ -250,7 +251,7 @@ mod tests {
             Vec4::new(1.0, 2.0, 0.5, 0.0),
             Vec4::new(-1.0, 0.2, 0.5, 0.0),
         ] {
-            let probe = reference.evidence(light, &view, &ids).unwrap();
+            let probe = reference.evidence(Light::at(light), &view, &ids).unwrap();
             let [one, other] = [-0.1, 0.1].map(|step| {
                 let moved = point + step * probe.towards_light(point);
                 projection.place_px(moved).unwrap()

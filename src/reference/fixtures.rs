@@ -2,10 +2,27 @@
 
 use glam::camera::rh::proj::directx::perspective_infinite_reverse;
 use glam::camera::rh::view::look_at_mat4;
-use glam::{DVec3, Vec3, Vec4};
+use glam::{DVec3, Vec3};
 
 use super::view::{EyeRay, Projection};
-use super::{Reference, ReferenceMask, ReferenceView, Verdict};
+use super::{Reference, ReferenceMask, ReferenceView, Verdict, Visibility};
+use crate::scene::Light;
+
+/// What is known of a pixel of this verdict under a light without size.
+pub(crate) fn visibility(verdict: Verdict) -> Option<Visibility> {
+    match verdict {
+        Verdict::Background => None,
+        Verdict::Lit => Some(Visibility::FULL),
+        Verdict::Shadowed => Some(Visibility::NONE),
+        Verdict::Ambiguous => Some(Visibility::UNKNOWN),
+    }
+}
+
+/// A mask of these verdicts.
+pub(crate) fn of_verdicts(width: u32, height: u32, verdicts: Vec<Verdict>) -> ReferenceMask {
+    let pixels = verdicts.into_iter().map(visibility);
+    ReferenceMask::new(width, height, pixels.collect()).unwrap()
+}
 
 /// Positions, triangles, and the number of triangles at the front that cast.
 #[derive(Clone, Default)]
@@ -42,7 +59,7 @@ impl Scene {
     }
 
     /// The ids that an exact rasteriser draws, and the verdicts on them.
-    pub(crate) fn trace(&self, light: Vec4, view: &ReferenceView) -> (Vec<u32>, ReferenceMask) {
+    pub(crate) fn trace(&self, light: Light, view: &ReferenceView) -> (Vec<u32>, ReferenceMask) {
         let reference = self.reference();
         let ids = reference.visible_ids(view).unwrap();
         let mask = reference.trace(light, view, &ids).unwrap();
@@ -54,12 +71,12 @@ impl Scene {
     }
 
     /// The verdict by asking every triangle, with textbook intersections and no tolerance.
-    pub(super) fn brute_force(&self, light: Vec4, ray: &EyeRay, own: usize) -> Verdict {
+    pub(super) fn brute_force(&self, light: Light, ray: &EyeRay, own: usize) -> Verdict {
         let [a, b, c] = self.corners(own);
         let normal = (b - a).cross(c - a);
         let distance = normal.dot(a - ray.eye) / normal.dot(ray.direction);
         let point = ray.eye + distance * ray.direction;
-        let light = light.as_dvec4();
+        let light = light.place.as_dvec4();
         let to_light = light.truncate() - light.w * point;
         if normal.dot(to_light) * normal.dot(ray.direction) > 0.0 {
             return Verdict::Shadowed;

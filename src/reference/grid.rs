@@ -8,11 +8,11 @@
 use glam::{DVec2, Vec3};
 
 use super::contact::edge_volume;
-use super::segment::Light;
+use super::segment::ExactLight;
 use super::surface::meets_well_inside;
 use super::tree::Primitive;
 use super::view::Projection;
-use super::{Reference, Verdict};
+use super::{Reference, Verdict, Visibility};
 
 /// The step of the grid: eight bits below the pixel on every desktop GPU, as Direct3D asks for.
 const GRID_PX: f64 = 1.0 / 256.0;
@@ -35,16 +35,16 @@ impl Projection {
 }
 
 impl Reference {
-    /// The verdicts at those of eight places around a pixel's centre, one step of the grid away, that show the
+    /// How much of the light reaches those of eight places around a pixel's centre, one step of the grid away, that show the
     /// surface of the triangle `own`: itself, a copy, or one that has a corner in common with it. What else is seen
     /// there is not what the pixel shows.
-    pub(super) fn verdicts_around(
+    pub(super) fn visibility_around(
         &self,
         projection: &Projection,
         centre_px: DVec2,
         own: &Primitive,
-        light: Light,
-    ) -> impl Iterator<Item = Verdict> {
+        light: ExactLight,
+    ) -> impl Iterator<Item = Visibility> {
         let steps = (-1..=1).flat_map(|y| (-1..=1).map(move |x| (f64::from(x), f64::from(y))));
         let around = steps.filter(|step| *step != (0.0, 0.0));
         around.filter_map(move |(x, y)| {
@@ -63,12 +63,12 @@ impl Reference {
         &self,
         projection: &Projection,
         place_px: DVec2,
-        light: Light,
+        light: ExactLight,
     ) -> Verdict {
         let seen = self.visible(projection, place_px);
-        seen.map_or(Verdict::Background, |(own, point)| {
-            self.judge(own, point, projection.eye, light, &mut None)
-        })
+        Verdict::of(
+            seen.map(|(own, point)| self.judge(own, point, projection.eye, light, &mut None)),
+        )
     }
 
     /// Whether the surface goes on all around a pixel's centre close to an edge of the triangle `own`, for
@@ -80,7 +80,7 @@ impl Reference {
         projection: &Projection,
         centre_px: DVec2,
         own: &Primitive,
-        light: Light,
+        light: ExactLight,
         steps: f64,
     ) -> bool {
         let around = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
@@ -102,11 +102,11 @@ impl Reference {
 
     /// Whether a shadow volume starts from an edge, or could by rounding: the light sees not as many
     /// triangles turn one way around it as the other.
-    fn is_silhouette(&self, edge: [Vec3; 2], light: Light) -> bool {
+    fn is_silhouette(&self, edge: [Vec3; 2], light: ExactLight) -> bool {
         let [from, to] = edge.map(Vec3::as_dvec3);
         let (light_point, is_point) = match light {
-            Light::Point(point) => (point, true),
-            Light::Direction(direction) => (direction, false),
+            ExactLight::Point(point) => (point, true),
+            ExactLight::Direction(direction) => (direction, false),
         };
         let to_light = if is_point {
             light_point - from
@@ -140,10 +140,11 @@ fn opposite(corners: &[Vec3; 3], edge: [Vec3; 2]) -> Option<Vec3> {
 mod tests {
     use super::super::fixtures::{Scene, view};
     use super::*;
+    use crate::scene::Light;
     use glam::Vec4;
 
-    const LAMP: Vec4 = Vec4::new(0.3, 6.0, 0.2, 1.0);
-    const SUN: Vec4 = Vec4::new(0.1, 1.0, 0.2, 0.0);
+    const LAMP: Light = Light::at(Vec4::new(0.3, 6.0, 0.2, 1.0));
+    const SUN: Light = Light::at(Vec4::new(0.1, 1.0, 0.2, 0.0));
 
     /// A triangle on the edge along x, at a depth z, to its third corner.
     fn on_edge(z: f32, third: Vec3) -> [Vec3; 3] {
@@ -152,7 +153,7 @@ mod tests {
 
     /// The verdict of the pixel in the middle of the picture, which looks straight down upon the origin. A
     /// pixel is 0.057 wide there.
-    fn in_the_middle(casters: &[[Vec3; 3]], light: Vec4) -> Verdict {
+    fn in_the_middle(casters: &[[Vec3; 3]], light: Light) -> Verdict {
         let view = view(Vec3::new(0.0, 5.0, 0.0), Vec3::ZERO, 101, 101);
         let (ids, mask) = Scene::default().cast(casters).trace(light, &view);
         assert_ne!(ids[50 * 101 + 50], 0, "something is there");
@@ -189,7 +190,7 @@ mod tests {
     fn where_verdicts_differ_the_grid_decides_within_its_step() {
         // Behind the ridge the surface faces away from the light. A pixel is 0.057 wide.
         let ridge = |z| [on_edge(z, SOUTH), on_edge(z, Vec3::new(0.1, -0.6, -1.2))];
-        let low_sun = Vec4::new(0.0, 0.3, 1.0, 0.0);
+        let low_sun = Light::at(Vec4::new(0.0, 0.3, 1.0, 0.0));
         assert_eq!(in_the_middle(&ridge(-1e-4), low_sun), Verdict::Ambiguous);
         assert_eq!(in_the_middle(&ridge(-6e-4), low_sun), Verdict::Lit);
         // Its dark side is dark all over.

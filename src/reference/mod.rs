@@ -27,6 +27,7 @@ mod trace;
 mod tree;
 mod verdict;
 mod view;
+mod visibility;
 
 #[cfg(test)]
 pub(crate) mod fixtures;
@@ -41,6 +42,7 @@ pub use motion::Motion;
 pub use trace::Reference;
 pub use verdict::{ReferenceMask, Verdict};
 pub use view::ReferenceView;
+pub use visibility::Visibility;
 
 /// How far a decision may be from turning, relative to the scene, and still count as undecided.
 ///
@@ -67,6 +69,9 @@ pub enum ReferenceError {
     /// The light is not finite, or a direction of length zero.
     #[error("the light is neither a finite point nor a direction")]
     BadLight,
+    /// The light is a ball, whose shadows are soft.
+    #[error("the light has a radius, and soft shadows are not traced")]
+    LightHasSize,
     /// A picture has another number of pixels than the view.
     #[error("{found} pixels given for a picture of {expected}")]
     WrongSize {

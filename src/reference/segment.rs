@@ -1,25 +1,29 @@
 //! The segment from a surface point to the light, and on which side of a plane its ends lie.
 
-use glam::{DVec3, DVec4, Vec3, Vec4};
+use glam::{DVec3, DVec4, Vec3};
 
 use super::{RELATIVE_TOLERANCE, ReferenceError};
+use crate::scene::Light;
 
 /// Below this sine of an angle f64 cannot tell a triangle from a line: it is degenerate.
 const DEGENERATE_SINE: f64 = 1e-12;
 
-/// The light, in f64.
+/// A light without size, in f64.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Light {
+pub(super) enum ExactLight {
     Point(DVec3),
     /// Towards the light, of length 1.
     Direction(DVec3),
 }
 
-impl Light {
-    /// From the homogeneous form: w = 1 a point, w = 0 the direction towards the light.
-    pub(super) fn new(light: Vec4) -> Result<Self, ReferenceError> {
-        let xyz = light.as_dvec4().truncate();
-        let light = match f64::from(light.w) {
+impl ExactLight {
+    pub(super) fn new(light: Light) -> Result<Self, ReferenceError> {
+        // What a point would give must not pass for the truth of a soft shadow.
+        if light.radius != 0.0 {
+            return Err(ReferenceError::LightHasSize);
+        }
+        let xyz = light.place.as_dvec4().truncate();
+        let light = match f64::from(light.place.w) {
             0.0 => xyz.try_normalize().map(Self::Direction),
             w => Some(Self::Point(xyz / w)).filter(|_| (xyz / w).is_finite()),
         };
@@ -50,10 +54,10 @@ pub(super) struct Segment {
 }
 
 impl Segment {
-    pub(super) fn new(start: DVec3, light: Light, scale: f64) -> Self {
+    pub(super) fn new(start: DVec3, light: ExactLight, scale: f64) -> Self {
         let (to_light, ends) = match light {
-            Light::Point(light) => (light - start, true),
-            Light::Direction(direction) => (direction, false),
+            ExactLight::Point(light) => (light - start, true),
+            ExactLight::Direction(direction) => (direction, false),
         };
         let length = to_light.length();
         // Heights above a plane are lengths for a point and sines for a direction.
@@ -176,8 +180,8 @@ mod tests {
         for sine in [3e-10, 3e-9] {
             let direction = DVec3::new(1.0, 0.0, sine);
             let expected = i8::from(sine > RELATIVE_TOLERANCE);
-            assert_eq!(side(Light::Direction(direction.normalize())), expected);
-            assert_eq!(side(Light::Point(1e6 * direction)), expected);
+            assert_eq!(side(ExactLight::Direction(direction.normalize())), expected);
+            assert_eq!(side(ExactLight::Point(1e6 * direction)), expected);
         }
     }
 }

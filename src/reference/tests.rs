@@ -4,11 +4,12 @@ use glam::{DVec2, DVec3, Mat4, Vec3, Vec4};
 use proptest::prelude::*;
 
 use super::fixtures::{Random, Scene, sphere, square, view};
-use super::segment::{Light, Segment};
+use super::segment::{ExactLight, Segment};
 use super::view::Projection;
-use super::{BoundaryProbe, Reference, ReferenceError, ReferenceView, Verdict};
+use super::{BoundaryProbe, Reference, ReferenceError, ReferenceView, Verdict, Visibility};
+use crate::scene::Light;
 
-const LIGHT: Vec4 = Vec4::new(0.3, 6.0, 0.2, 1.0);
+const LIGHT: Light = Light::at(Vec4::new(0.3, 6.0, 0.2, 1.0));
 const ROOF: [Vec3; 3] = [
     Vec3::new(-1.0, 2.0, -1.0),
     Vec3::new(0.2, 2.0, 1.3),
@@ -26,8 +27,8 @@ fn centres(view: &ReferenceView) -> impl Iterator<Item = (usize, DVec2)> {
 }
 
 /// Whether the light sees a point of the ground through the roof.
-fn under_roof(point: DVec3, light: Vec4) -> bool {
-    let light = light.as_dvec4();
+fn under_roof(point: DVec3, light: Light) -> bool {
+    let light = light.place.as_dvec4();
     let to_light = light.truncate() - light.w * point;
     let crossing = point + (2.0 - point.y) / to_light.y * to_light;
     let [a, b, c] = ROOF.map(Vec3::as_dvec3);
@@ -39,7 +40,7 @@ fn under_roof(point: DVec3, light: Vec4) -> bool {
 fn a_roof_casts_its_projection() {
     let scene = Scene::default().cast(&[ROOF]).receive(&square(6.0, 0.0));
     let view = view(Vec3::new(4.0, 5.0, 6.0), Vec3::ZERO, 160, 120);
-    for light in [LIGHT, Vec4::new(0.2, 1.0, -0.3, 0.0)] {
+    for light in [LIGHT, Light::at(Vec4::new(0.2, 1.0, -0.3, 0.0))] {
         let (ids, mask) = scene.trace(light, &view);
         assert!(mask.count(Verdict::Ambiguous) < 3);
         let projection = Projection::new(&view).unwrap();
@@ -59,7 +60,7 @@ fn a_roof_casts_its_projection() {
                 }
             };
             shadowed += u32::from(expected == Verdict::Shadowed);
-            let found = mask.verdicts[pixel];
+            let found = mask.verdict(pixel);
             assert!(
                 found == expected || found == Verdict::Ambiguous,
                 "{found:?} at {centre_px}"
@@ -92,7 +93,7 @@ fn a_light_in_the_own_plane_is_ambiguous() {
     let scene = Scene::default().cast(&square(1.0, 0.0));
     let view = view(Vec3::new(0.0, 3.0, 1.0), Vec3::ZERO, 16, 16);
     for light in [Vec4::new(5.0, 0.0, 0.0, 1.0), Vec4::X] {
-        let (_, mask) = scene.trace(light, &view);
+        let (_, mask) = scene.trace(Light::at(light), &view);
         assert!(mask.count(Verdict::Ambiguous) > 10);
         assert_eq!(mask.count(Verdict::Lit) + mask.count(Verdict::Shadowed), 0);
     }
@@ -113,7 +114,10 @@ fn triangles_in_the_own_plane_do_not_block() {
         lit.count(Verdict::Shadowed) + lit.count(Verdict::Ambiguous),
         0
     );
-    let (_, shadowed) = scene.trace(LIGHT * Vec4::new(1.0, -1.0, 1.0, 1.0), &view);
+    let (_, shadowed) = scene.trace(
+        Light::at(LIGHT.place * Vec4::new(1.0, -1.0, 1.0, 1.0)),
+        &view,
+    );
     assert_eq!(
         shadowed.count(Verdict::Lit) + shadowed.count(Verdict::Ambiguous),
         0
@@ -130,7 +134,7 @@ fn a_pixel_of_a_degenerate_triangle_is_ambiguous() {
     let reference = Scene::default().cast(&[line]).reference();
     let view = view(Vec3::new(0.0, 4.0, 0.0), Vec3::ZERO, 1, 1);
     let mask = reference.trace(LIGHT, &view, &[1]).unwrap();
-    assert_eq!(mask.verdicts, [Verdict::Ambiguous]);
+    assert_eq!(mask.visibility, [Some(Visibility::UNKNOWN)]);
 }
 
 #[test]
@@ -142,6 +146,7 @@ fn random_soups_agree_with_brute_force() {
             .cast(&random.soup(30))
             .receive(&random.soup(10));
         let light = (3.0 * random.point()).extend((soup % 2) as f64).as_vec4();
+        let light = Light::at(light);
         let view = view((2.5 * random.point()).as_vec3(), Vec3::ZERO, 48, 36);
         let projection = Projection::new(&view).unwrap();
         let (ids, mask) = scene.trace(light, &view);
@@ -153,7 +158,7 @@ fn random_soups_agree_with_brute_force() {
                 0 => Verdict::Background,
                 id => scene.brute_force(light, &ray, id as usize - 1),
             };
-            let found = mask.verdicts[pixel];
+            let found = mask.verdict(pixel);
             assert!(
                 found == expected || found == Verdict::Ambiguous,
                 "soup {soup}, {centre_px}"
@@ -177,11 +182,12 @@ fn a_closed_sphere_never_leaks() {
         let [a, b, _] = triangles[random.below(triangles.len())].map(Vec3::as_dvec3);
         let share = if i % 4 == 0 { 0.0 } else { random.unit() };
         let start = 0.3 * random.point();
-        let light = Light::Point(start + (2.0 + random.unit()) * (a + share * (b - a) - start));
+        let light =
+            ExactLight::Point(start + (2.0 + random.unit()) * (a + share * (b - a) - start));
         let segment = Segment::new(start, light, 1.3);
         match reference.occlusion(&own, &segment, &mut None) {
-            Verdict::Shadowed => {}
-            Verdict::Ambiguous if !(1e-6..1.0 - 1e-6).contains(&share) => undecided += 1,
+            Visibility::NONE => {}
+            Visibility::UNKNOWN if !(1e-6..1.0 - 1e-6).contains(&share) => undecided += 1,
             other => panic!("{other:?} through {share} of an edge"),
         }
     }
@@ -229,7 +235,7 @@ fn a_shadow_thinner_than_a_pixel_is_found_between_centres() {
     let at = |x: f32, z: f32| Vec3::new(x, 10.0, z);
     let strip = [at(9.7, -60.0), at(10.3, -60.0), at(10.0, 60.0)];
     let scene = Scene::default().cast(&[strip]).receive(&square(99.0, 0.0));
-    let light = Vec4::new(1.0, 1.0, 0.0, 0.0);
+    let light = Light::at(Vec4::new(1.0, 1.0, 0.0, 0.0));
     let reference = scene.reference();
     let (_, mask) = scene.trace(light, &view);
     let probe = BoundaryProbe::new(&reference, light, &view, &mask, 0).unwrap();
@@ -264,11 +270,15 @@ fn what_cannot_be_traced_is_an_error() {
         triangles: 1,
     };
     assert_eq!(trace(LIGHT, &[0, 2]), Some(unknown));
-    assert_eq!(trace(Vec4::ZERO, &[0, 0]), Some(ReferenceError::BadLight));
-    assert_eq!(
-        trace(Vec4::new(f32::NAN, 0.0, 0.0, 1.0), &[0, 0]),
-        Some(ReferenceError::BadLight)
-    );
+    for light in [Vec4::ZERO, Vec4::new(f32::NAN, 0.0, 0.0, 1.0)] {
+        let error = trace(Light::at(light), &[0, 0]);
+        assert_eq!(error, Some(ReferenceError::BadLight));
+    }
+    let ball = Light {
+        radius: 0.1,
+        ..LIGHT
+    };
+    assert_eq!(trace(ball, &[0, 0]), Some(ReferenceError::LightHasSize));
 }
 
 #[test]
@@ -289,13 +299,13 @@ proptest! {
         let soup = random.soup(20);
         let light = (3.0 * random.point()).as_vec3();
         let view = view((2.5 * random.point()).as_vec3(), Vec3::ZERO, 24, 18);
-        let (ids, mask) = Scene::default().cast(&soup).trace(light.extend(1.0), &view);
+        let (ids, mask) = Scene::default().cast(&soup).trace(Light::at(light.extend(1.0)), &view);
 
         let factor = 2f32.powi(exponent);
         let soup: Vec<_> = soup.iter().map(|corners| corners.map(|p| p * factor)).collect();
         let unscale = Mat4::from_scale(Vec3::splat(1.0 / factor));
         let view = ReferenceView { view_projection: view.view_projection * unscale, ..view };
-        let scaled = Scene::default().cast(&soup).trace((light * factor).extend(1.0), &view);
+        let scaled = Scene::default().cast(&soup).trace(Light::at((light * factor).extend(1.0)), &view);
         prop_assert_eq!(scaled, (ids, mask));
     }
 
@@ -304,13 +314,13 @@ proptest! {
     fn a_caster_never_takes_shadow_away(seed in any::<u64>()) {
         let mut random = Random(seed);
         let scene = Scene::default().cast(&random.soup(20));
-        let light = (3.0 * random.point()).as_vec3().extend(0.0);
+        let light = Light::at((3.0 * random.point()).as_vec3().extend(0.0));
         let view = view((2.5 * random.point()).as_vec3(), Vec3::ZERO, 24, 18);
         let (ids, before) = scene.trace(light, &view);
         let more = scene.cast(&random.soup(10));
         let after = more.reference().trace(light, &view, &ids).unwrap();
-        for (before, after) in before.verdicts.iter().zip(&after.verdicts) {
-            prop_assert!(*before != Verdict::Shadowed || *after == Verdict::Shadowed);
+        for (before, after) in before.verdicts().zip(after.verdicts()) {
+            prop_assert!(before != Verdict::Shadowed || after == Verdict::Shadowed);
         }
     }
 }

@@ -1,14 +1,15 @@
 //! From a scene, a light and a picture of triangle ids to the verdict of each pixel.
 
-use glam::{DVec2, DVec3, Vec3, Vec4};
+use glam::{DVec2, DVec3, Vec3};
 use rayon::prelude::*;
 
 use super::contact::{Contact, EdgeContact, contact, coplanar};
-use super::segment::{Light, Plane, Segment};
+use super::segment::{ExactLight, Plane, Segment};
 use super::surface::{hit, point_seen};
 use super::tree::{Primitive, Tree, Visit};
 use super::view::Projection;
-use super::{RELATIVE_TOLERANCE, ReferenceError, ReferenceMask, ReferenceView, Verdict};
+use super::{RELATIVE_TOLERANCE, ReferenceError, ReferenceMask, ReferenceView, Visibility};
+use crate::scene::Light;
 
 /// A scene, ready to answer what is in shadow.
 pub struct Reference {
@@ -62,62 +63,63 @@ impl Reference {
     /// Judges a picture of triangle ids: one a pixel, by rows from the top, 0 for background and
     /// otherwise the index of the triangle plus one.
     ///
-    /// The light is a point (w = 1) or the direction towards it (w = 0).
-    ///
     /// # Errors
     /// Any [`ReferenceError`] but `BadTriangle`.
     pub fn trace(
         &self,
-        light: Vec4,
+        light: Light,
         view: &ReferenceView,
         triangle_ids: &[u32],
     ) -> Result<ReferenceMask, ReferenceError> {
-        let (light, projection) = (Light::new(light)?, Projection::new(view)?);
+        let (light, projection) = (ExactLight::new(light)?, Projection::new(view)?);
         self.check_ids(view, triangle_ids)?;
         let width = view.width as usize;
-        let mut verdicts = vec![Verdict::Background; triangle_ids.len()];
-        let rows = verdicts
+        let mut pixels = vec![None; triangle_ids.len()];
+        let rows = pixels
             .par_chunks_mut(width.max(1))
             .zip(triangle_ids.par_chunks(width.max(1)));
-        rows.enumerate().for_each(|(y, (verdicts, ids))| {
+        rows.enumerate().for_each(|(y, (pixels, ids))| {
             let mut last_blocker = None;
-            for (x, (verdict, &id)) in verdicts.iter_mut().zip(ids).enumerate() {
+            for (x, (visibility, &id)) in pixels.iter_mut().zip(ids).enumerate() {
                 let Some(triangle) = id.checked_sub(1) else {
                     continue;
                 };
                 let own = self.tree.primitive(triangle);
                 let centre_px = DVec2::new(x as f64 + 0.5, y as f64 + 0.5);
                 let pixel = Pixel { own, centre_px };
-                *verdict = self.judge_pixel(&projection, light, &pixel, &mut last_blocker);
+                *visibility = Some(self.judge_pixel(&projection, light, &pixel, &mut last_blocker));
             }
         });
-        ReferenceMask::new(view.width, view.height, verdicts)
+        ReferenceMask::new(view.width, view.height, pixels)
     }
 
-    /// The verdict for a pixel that shows `own`. Where the rasteriser's grid could show another place of that
-    /// surface, and the verdict would differ there, there is no telling what is right.
+    /// What reaches a pixel that shows `own`. Where the rasteriser's grid could show another place of that
+    /// surface, and another part of the light would reach it there, it may be either.
     fn judge_pixel(
         &self,
         projection: &Projection,
-        light: Light,
+        light: ExactLight,
         pixel: &Pixel<'_>,
         last_blocker: &mut LastBlocker,
-    ) -> Verdict {
+    ) -> Visibility {
         let Pixel { own, centre_px } = *pixel;
         let Some(point) = point_seen(projection, centre_px, &own.corners, self.tree.scale) else {
-            return Verdict::Ambiguous;
+            return Visibility::UNKNOWN;
         };
-        let verdict = self.judge(own, point, projection.eye, light, last_blocker);
+        let visibility = self.judge(own, point, projection.eye, light, last_blocker);
         if !projection.at_an_edge(centre_px, &own.corners, 1.0)
             || self.is_dark_side(own, point, projection.eye, light)
         {
-            return verdict;
+            return visibility;
         }
-        let mut around = self.verdicts_around(projection, centre_px, own, light);
-        match around.any(|other| other != verdict) {
-            true => Verdict::Ambiguous,
-            false => verdict,
+        let mut either = visibility;
+        for other in self.visibility_around(projection, centre_px, own, light) {
+            either = either.or(other);
+            if either == Visibility::UNKNOWN {
+                break;
+            }
         }
+        either
     }
 
     /// The triangle ids that an exact rasteriser would draw, in the form that [`Self::trace`]
@@ -166,25 +168,25 @@ impl Reference {
         nearest.map(|(triangle, point, _)| (self.tree.primitive(triangle), point))
     }
 
-    /// The verdict for a point of the triangle `own`, seen from the eye.
+    /// How much of the light reaches a point of the triangle `own`, seen from the eye.
     pub(super) fn judge(
         &self,
         own: &Primitive,
         point: DVec3,
         eye: DVec3,
-        light: Light,
+        light: ExactLight,
         last_blocker: &mut LastBlocker,
-    ) -> Verdict {
+    ) -> Visibility {
         let segment = Segment::new(point, light, self.tree.scale);
         match self.sides(own, &segment, eye) {
-            (0, _) | (_, 0) => Verdict::Ambiguous,
-            (eye_side, light_side) if eye_side != light_side => Verdict::Shadowed,
+            (0, _) | (_, 0) => Visibility::UNKNOWN,
+            (eye_side, light_side) if eye_side != light_side => Visibility::NONE,
             _ => self.occlusion(own, &segment, last_blocker),
         }
     }
 
     /// Whether eye and light are on different sides of the triangle `own`, which is dark wherever it is seen then.
-    fn is_dark_side(&self, own: &Primitive, point: DVec3, eye: DVec3, light: Light) -> bool {
+    fn is_dark_side(&self, own: &Primitive, point: DVec3, eye: DVec3, light: ExactLight) -> bool {
         let segment = Segment::new(point, light, self.tree.scale);
         let (eye_side, light_side) = self.sides(own, &segment, eye);
         eye_side * light_side < 0
@@ -200,7 +202,7 @@ impl Reference {
         (plane.side(eye, tolerance), segment.light_side(&plane))
     }
 
-    /// Whether another triangle blocks the segment from a point of `own` that faces the light.
+    /// Whether no other triangle blocks the segment from a point of `own` that faces the light.
     ///
     /// One triangle met for certain, or two that close an edge between them, settle it. Otherwise
     /// any triangle met or missed within the tolerance leaves it ambiguous, except those that lie
@@ -210,15 +212,15 @@ impl Reference {
         own: &Primitive,
         segment: &Segment,
         last_blocker: &mut LastBlocker,
-    ) -> Verdict {
+    ) -> Visibility {
         if let Some(triangle) = *last_blocker
             && triangle != own.triangle
             && contact(segment, &self.tree.primitive(triangle).corners) == Contact::Block
         {
-            return Verdict::Shadowed;
+            return Visibility::NONE;
         }
         let tolerance = RELATIVE_TOLERANCE * self.tree.scale;
-        let mut verdict = Verdict::Lit;
+        let mut visibility = Visibility::FULL;
         let mut edges: Vec<EdgeContact> = Vec::new();
         self.tree.visit_along(
             segment.start,
@@ -231,13 +233,13 @@ impl Reference {
                 match contact(segment, &other.corners) {
                     Contact::Miss => {}
                     Contact::Touch if coplanar(&own.corners, &other.corners, tolerance) => {}
-                    Contact::Touch | Contact::Unsure => verdict = Verdict::Ambiguous,
+                    Contact::Touch | Contact::Unsure => visibility = Visibility::UNKNOWN,
                     Contact::Edge(edge) if !edges.iter().any(|known| known.closes(&edge)) => {
-                        verdict = Verdict::Ambiguous;
+                        visibility = Visibility::UNKNOWN;
                         edges.push(edge);
                     }
                     Contact::Block | Contact::Edge(_) => {
-                        verdict = Verdict::Shadowed;
+                        visibility = Visibility::NONE;
                         *last_blocker = Some(other.triangle);
                         return Visit::Stop;
                     }
@@ -245,7 +247,7 @@ impl Reference {
                 Visit::On
             },
         );
-        verdict
+        visibility
     }
 
     pub(super) fn check_ids(

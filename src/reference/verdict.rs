@@ -1,6 +1,6 @@
 //! What the reference says of a pixel, and of a picture.
 
-use super::ReferenceError;
+use super::{ReferenceError, Visibility};
 
 /// What the reference says of one pixel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -16,6 +16,19 @@ pub enum Verdict {
 }
 
 impl Verdict {
+    /// Of how much of the light reaches what a pixel shows; `None` where it shows nothing. A surface that less than
+    /// half of the light reaches is in shadow, for masks of one bit.
+    #[must_use]
+    pub fn of(visibility: Option<Visibility>) -> Self {
+        const HALF: u8 = 128;
+        match visibility.map(Visibility::bounds) {
+            None => Self::Background,
+            Some((HALF.., _)) => Self::Lit,
+            Some((_, ..HALF)) => Self::Shadowed,
+            Some(_) => Self::Ambiguous,
+        }
+    }
+
     /// Whether geometry is seen here.
     #[must_use]
     pub fn is_surface(self) -> bool {
@@ -23,34 +36,38 @@ impl Verdict {
     }
 }
 
-/// The verdicts of a picture.
+/// The truth of a picture.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ReferenceMask {
     /// Pixels in a row.
     pub width: u32,
     /// Rows.
     pub height: u32,
-    /// One a pixel, by rows, the top row first.
-    pub verdicts: Vec<Verdict>,
+    /// How much of the light reaches what each pixel shows, by rows, the top row first; `None` where it shows nothing.
+    pub visibility: Vec<Option<Visibility>>,
 }
 
 impl ReferenceMask {
     /// A mask of the given size.
     ///
     /// # Errors
-    /// [`ReferenceError::WrongSize`] unless there are `width` × `height` verdicts.
-    pub fn new(width: u32, height: u32, verdicts: Vec<Verdict>) -> Result<Self, ReferenceError> {
+    /// [`ReferenceError::WrongSize`] unless there are `width` × `height` pixels.
+    pub fn new(
+        width: u32,
+        height: u32,
+        visibility: Vec<Option<Visibility>>,
+    ) -> Result<Self, ReferenceError> {
         let expected = width as usize * height as usize;
-        if verdicts.len() != expected {
+        if visibility.len() != expected {
             return Err(ReferenceError::WrongSize {
                 expected,
-                found: verdicts.len(),
+                found: visibility.len(),
             });
         }
         Ok(Self {
             width,
             height,
-            verdicts,
+            visibility,
         })
     }
 
@@ -59,24 +76,34 @@ impl ReferenceMask {
     pub fn get(&self, x: i64, y: i64) -> Option<Verdict> {
         let inside =
             (0..i64::from(self.width)).contains(&x) && (0..i64::from(self.height)).contains(&y);
-        inside.then(|| self.verdicts[y as usize * self.width as usize + x as usize])
+        inside.then(|| self.verdict(y as usize * self.width as usize + x as usize))
     }
 
-    /// The picture as grey values: background and lit 0, shadowed 255, ambiguous 128.
+    /// The verdict of a pixel, counted by rows from the top.
+    #[must_use]
+    pub fn verdict(&self, pixel: usize) -> Verdict {
+        Verdict::of(self.visibility[pixel])
+    }
+
+    /// The verdict of each pixel.
+    pub fn verdicts(&self) -> impl ExactSizeIterator<Item = Verdict> + '_ {
+        self.visibility.iter().copied().map(Verdict::of)
+    }
+
+    /// The picture as grey values: background and lit 0, in shadow 255, unknown 128.
     #[must_use]
     pub fn to_grey(&self) -> Vec<u8> {
-        let grey = |verdict: &Verdict| match verdict {
-            Verdict::Background | Verdict::Lit => 0,
-            Verdict::Shadowed => 255,
-            Verdict::Ambiguous => 128,
+        let grey = |visibility: &Option<Visibility>| {
+            let value = visibility.map_or(1.0, Visibility::value);
+            ((1.0 - value) * f64::from(u8::MAX)).round() as u8
         };
-        self.verdicts.iter().map(grey).collect()
+        self.visibility.iter().map(grey).collect()
     }
 
     /// Pixels with this verdict.
     #[must_use]
     pub fn count(&self, verdict: Verdict) -> u64 {
-        self.verdicts.iter().filter(|&&v| v == verdict).count() as u64
+        self.verdicts().filter(|&v| v == verdict).count() as u64
     }
 
     /// Whether one of the eight neighbours that show geometry has another verdict than this pixel,
@@ -100,6 +127,7 @@ impl ReferenceMask {
 
 #[cfg(test)]
 mod tests {
+    use super::super::fixtures::of_verdicts;
     use super::*;
 
     fn mask(rows: &[&str]) -> ReferenceMask {
@@ -109,7 +137,16 @@ mod tests {
             '?' => Verdict::Ambiguous,
             _ => Verdict::Background,
         });
-        ReferenceMask::new(rows[0].len() as u32, rows.len() as u32, verdicts.collect()).unwrap()
+        of_verdicts(rows[0].len() as u32, rows.len() as u32, verdicts.collect())
+    }
+
+    #[test]
+    fn a_verdict_needs_more_than_its_half() {
+        let of = |low, high| Verdict::of(Visibility::between(low, high));
+        assert_eq!(of(128, 255), Verdict::Lit);
+        assert_eq!(of(0, 127), Verdict::Shadowed);
+        assert_eq!(of(127, 128), Verdict::Ambiguous);
+        assert_eq!(Verdict::of(None), Verdict::Background);
     }
 
     #[test]
@@ -133,7 +170,7 @@ mod tests {
 
     #[test]
     fn a_wrong_size_is_an_error() {
-        let error = ReferenceMask::new(2, 2, vec![Verdict::Lit; 3]).unwrap_err();
+        let error = ReferenceMask::new(2, 2, vec![None; 3]).unwrap_err();
         assert_eq!(
             error,
             ReferenceError::WrongSize {

@@ -34,6 +34,7 @@ pub(super) fn info(scenes: &[&str], methods: &[&str]) -> RunInfo {
         mesh_hash: "0123".to_owned(),
         light: [3.0, 20.0, 5.0],
         light_w: 1.0,
+        light_moves: false,
         edges: None,
         status: Status::Ok,
         reason: String::new(),

@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 
 use glam::Vec3;
 
-use super::camera::radians;
-use super::{CameraPath, Mesh, Scene, SceneError, SceneFile};
+use super::view::radians;
+use super::{CameraPath, LightKey, LightPath, Mesh, Scene, SceneError, SceneFile};
 use crate::output;
 
 /// Why a scene could not be written.
@@ -113,17 +113,34 @@ fn scene_text(scene: &Scene, mesh: &Mesh, names: &[String], stem: &str) -> Strin
         "title = {}\n\n\
          [mesh]\nkind = \"obj\"\nfile = {}\nup = \"y\"\nreceivers = [{}]\n\n\
          [expect]\ntriangles = {}\nobjects = {}\n\n\
-         [light]\nposition = {}\nw = {}\n\n\
+         {}\n\
          {}",
         quoted(&scene.title),
         quoted(&format!("{stem}.obj")),
         receivers.join(", "),
         mesh.caster_triangle_count(),
         mesh.caster_object_count(),
-        array(scene.light.truncate()),
-        number(scene.light.w),
-        camera_text(&scene.camera),
+        light_text(&scene.flight.light),
+        camera_text(&scene.flight.camera),
     )
+}
+
+fn light_text(light: &LightPath) -> String {
+    let mut text = "[light]\n".to_owned();
+    // Writing to a String does not fail.
+    let _ = match &light.keys[..] {
+        [key] if key.time_s == 0.0 => writeln!(text, "position = {}", array(key.place)),
+        keys => {
+            let key = |key: &LightKey| {
+                let place = array(key.place);
+                format!("  {{ time_s = {:?}, position = {place} }},\n", key.time_s)
+            };
+            let keys: String = keys.iter().map(key).collect();
+            writeln!(text, "keys = [\n{keys}]")
+        }
+    };
+    let _ = writeln!(text, "w = {}", number(light.w));
+    text
 }
 
 fn camera_text(camera: &CameraPath) -> String {

@@ -3,20 +3,15 @@ use glam::Vec4;
 use proptest::prelude::*;
 
 use super::*;
-use crate::scene::{CameraKey, ModelSearch, Object, Part};
+use crate::scene::{CameraKey, Flight, Light, ModelSearch, Object, Part};
 
 fn camera() -> CameraPath {
     CameraPath::framing(Vec3::NEG_ONE, Vec3::ONE)
 }
 
 fn scene(mesh: Mesh, light: Vec4, camera: CameraPath) -> Scene {
-    Scene::new(
-        "x".to_owned(),
-        "A \"title\"\n\\".to_owned(),
-        mesh,
-        light,
-        camera,
-    )
+    let flight = Flight::under(Light::at(light), camera);
+    Scene::new("x".to_owned(), "A \"title\"\n\\".to_owned(), mesh, flight)
 }
 
 fn there_and_back(scene: &Scene) -> Scene {
@@ -34,12 +29,15 @@ fn bits(scene: &Scene) -> Vec<u32> {
         up,
         fov_y_rad,
         near,
-    } = &scene.camera;
+    } = &scene.flight.camera;
+    let light = &scene.flight.light;
     let keys = keys.iter().flat_map(|key| [key.eye, key.target]);
-    let vectors = keys.chain([*up, scene.light.truncate()]);
+    let vectors = keys
+        .chain([*up])
+        .chain(light.keys.iter().map(|key| key.place));
     let vectors = vectors.chain(scene.mesh.positions.iter().copied());
     let numbers = vectors.flat_map(|v| v.to_array());
-    let numbers = numbers.chain([scene.light.w, *fov_y_rad, *near]);
+    let numbers = numbers.chain([light.w, *fov_y_rad, *near]);
     numbers.map(f32::to_bits).collect()
 }
 
@@ -48,7 +46,7 @@ fn assert_same(read: &Scene, written: &Scene) {
     assert_eq!(read.mesh.positions, written.mesh.positions);
     assert_eq!(read.mesh.triangles, written.mesh.triangles);
     assert_eq!(read.mesh_hash, written.mesh_hash);
-    assert_eq!((read.light, &read.camera), (written.light, &written.camera));
+    assert_eq!(read.flight, written.flight);
     assert_eq!(bits(read), bits(written));
 }
 
@@ -188,7 +186,7 @@ proptest! {
     #[test]
     fn scenes_come_back_to_the_bit(
         parts in prop::collection::vec(soup(), 1..5),
-        light in point(),
+        lights in prop::collection::vec((point(), 0.001f64..9.0), 1..4),
         is_point in any::<bool>(),
         eyes in prop::collection::vec((point(), -3.0f32..3.0, 0.001f64..9.0), 1..4),
         fov_y_rad in 0.01f32..3.1,
@@ -201,9 +199,15 @@ proptest! {
         });
         let camera = CameraPath { keys: keys.collect(), up: Vec3::new(-0.0, 1.0, 0.3), fov_y_rad, near };
         prop_assume!(camera.validate().is_ok());
-        let light = light.extend(f32::from(u8::from(is_point)));
-        let written = scene(parts.into_iter().collect(), light, camera);
-        prop_assume!(is_point || written.light.truncate() != Vec3::ZERO);
+        let mut time_s = -lights[0].1;
+        let keys = lights.iter().map(|&(place, after_s)| {
+            time_s += after_s;
+            LightKey { time_s, place }
+        });
+        let light = LightPath { keys: keys.collect(), w: f32::from(u8::from(is_point)), radius: 0.0 };
+        let mesh = parts.into_iter().collect();
+        let written = Scene::new("x".to_owned(), "x".to_owned(), mesh, Flight { camera, light });
+        prop_assume!(written.flight.light.validate().is_ok());
         assert_same(&there_and_back(&written), &written);
     }
 

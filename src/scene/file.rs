@@ -5,11 +5,10 @@ use std::fs;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use glam::Vec4;
 use serde::Deserialize;
 
 use super::Scene;
-use super::camera::CameraPath;
+use super::flight::Flight;
 use super::mesh::Mesh;
 use super::model_search::ModelSearch;
 use super::obj::{self, Model, Up};
@@ -29,10 +28,8 @@ pub struct SceneFile {
     pub mesh: MeshSource,
     /// What the mesh has to have, if the file says so.
     pub expect: Option<Expect>,
-    /// The light: a position with w = 1, or with w = 0 the direction towards it.
-    pub light: Vec4,
-    /// Where the pictures are taken from.
-    pub camera: CameraPath,
+    /// Where camera and light are in time.
+    pub flight: Flight,
 }
 
 /// Where the triangles of a scene come from.
@@ -153,7 +150,7 @@ impl SceneFile {
         let (name, title) = (self.name.clone(), self.title.clone());
         Ok(Scene {
             notes,
-            ..Scene::new(name, title, mesh, self.light, self.camera.clone())
+            ..Scene::new(name, title, mesh, self.flight.clone())
         })
     }
 

@@ -1,6 +1,7 @@
-use glam::Vec3;
+use glam::{Vec3, Vec4};
 
 use super::*;
+use crate::scene::Light;
 
 const GRID: &str = r#"title = "Two spheres"
 [mesh]
@@ -48,12 +49,13 @@ fn a_scene_file_becomes_a_scene() {
         (scene.name.as_str(), scene.title.as_str()),
         ("two", "Two spheres")
     );
-    assert_eq!(scene.light, Vec4::new(3.0, 20.0, 5.0, 1.0));
-    assert_eq!(scene.camera.duration_s(), 2.0);
-    assert_eq!(scene.camera.view_at(0.0).up, Vec3::Y);
+    let light = Light::at(Vec4::new(3.0, 20.0, 5.0, 1.0));
+    assert_eq!(scene.flight.at(1.0).light, light);
+    assert_eq!(scene.flight.duration_s(), 2.0);
+    assert_eq!(scene.flight.at(0.0).view.up, Vec3::Y);
     assert_eq!(scene.mesh_hash, scene.mesh.hash());
     let sun = GRID.replace("5.0]", "5.0]\nw = 0");
-    assert_eq!(SceneFile::parse(&sun, "").unwrap().light.w, 0.0);
+    assert_eq!(SceneFile::parse(&sun, "").unwrap().flight.light.w, 0.0);
 }
 
 #[test]
@@ -114,6 +116,73 @@ fn impossible_values_are_named_with_their_place() {
     }
     let no_keys = GRID.split_once("keys").unwrap().0.to_owned() + "keys = []";
     assert!(error(&no_keys).contains(":15:8: a camera path needs at least one key"));
+}
+
+const KEYS: &str = "keys = [
+  { time_s = 0.0, position = [3, 20.0, 5.0] },
+  { time_s = 4.0, position = [0, 0, -2] },
+]";
+
+#[test]
+fn a_light_may_move_through_keys() {
+    let moving = |after: &str| GRID.replace("position = [3, 20.0, 5.0]", &format!("{KEYS}{after}"));
+    let flight = |text: &str| SceneFile::parse(text, "two.toml").unwrap().flight;
+    let lamp = flight(&moving(""));
+    // Longer than the camera flies.
+    assert_eq!(lamp.duration_s(), 4.0);
+    assert_eq!(lamp.at(0.0).light.place, Vec4::new(3.0, 20.0, 5.0, 1.0));
+    assert_eq!(lamp.at(2.0).light.place, Vec4::new(1.5, 10.0, 1.5, 1.0));
+    assert_eq!(lamp.at(4.0).view, lamp.at(2.0).view);
+    let sun = flight(&moving("\nw = 0"));
+    assert_eq!(sun.at(0.0).light.place, Vec4::new(0.15, 1.0, 0.25, 0.0));
+    assert_eq!(sun.at(4.0).light.place, Vec4::new(0.0, 0.0, -1.0, 0.0));
+}
+
+#[test]
+fn an_impossible_light_path_is_named_with_its_place() {
+    let error_of = |light: &str| error(&GRID.replace("position = [3, 20.0, 5.0]", light));
+    let edited = |from: &str, to: &str| error_of(&KEYS.replacen(from, to, 1));
+    for (error, expected) in [
+        (
+            edited("0.0,", "1.0,"),
+            ":12:3: the times of the light's keys must begin at 0",
+        ),
+        (
+            edited("4.0", "0.0"),
+            ":13:3: the times of the light's keys must begin at 0",
+        ),
+        (
+            edited("20.0", "inf"),
+            ":12:30: a light needs finite numbers",
+        ),
+        (
+            edited(" }", ", w = 0 }"),
+            ":12:46: unknown field `w`, expected `time_s` or `position`",
+        ),
+        (
+            error_of("keys = []"),
+            ":11:8: a light path needs at least one key",
+        ),
+        (
+            error_of("w = 1"),
+            ":10:1: a light needs a `position`, or `keys`",
+        ),
+        (
+            error_of(&format!("position = [3, 20, 5]\n{KEYS}")),
+            ":11:12: a light stands still at its `position` or moves through its `keys`",
+        ),
+        (
+            error_of("position = [1, 2, 3]\nradius = 0.5"),
+            ":12:1: unknown field `radius`",
+        ),
+        (
+            error_of(&(KEYS.replace("-2", "0") + "\nw = 0")),
+            ":13:30: a direction towards the light has length 0",
+        ),
+    ] {
+        let expected = format!("scenes/two.toml{expected}");
+        assert!(error.starts_with(&expected), "{error}\n{expected}");
+    }
 }
 
 #[test]
@@ -219,10 +288,10 @@ fn a_bare_model_is_framed_and_lit_from_above() {
     fs::write(&path, "v 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 2 3").unwrap();
     let scene = Scene::from_obj(&path, Up::Y).unwrap();
     assert_eq!(
-        (scene.name.as_str(), scene.camera.validate()),
+        (scene.name.as_str(), scene.flight.camera.validate()),
         ("one", Ok(()))
     );
-    assert!(scene.light.y > 1.0);
+    assert!(scene.flight.at(0.0).light.place.y > 1.0);
 }
 
 #[test]
@@ -236,7 +305,11 @@ fn the_scene_files_of_the_project_are_valid() {
         {
             let file = SceneFile::read(&path).unwrap();
             assert!(file.expect.is_some(), "{}: no [expect]", path.display());
-            assert!(file.camera.keys.len() > 1, "{}: a still", path.display());
+            assert!(
+                file.flight.camera.keys.len() > 1,
+                "{}: a still",
+                path.display()
+            );
         }
     }
 }

@@ -2,11 +2,20 @@
 
 use glam::{DVec3, Vec3, Vec4};
 
-use super::mesh::{Mesh, canonical};
+use super::mesh::canonical;
 
-/// A point light farther away than this many radii of the scene is a direction: seen from all of the scene it
-/// is in the same place, to the last bit of a coordinate.
-const FAR: f64 = (1 << 24) as f64;
+/// A light at one moment.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Light {
+    /// A position with w = 1, or with w = 0 the direction *towards* the light.
+    ///
+    /// That of a scene is canonical: the largest coordinate of a direction is 1, and a position too far away to
+    /// tell from a direction is one.
+    pub place: Vec4,
+    /// Radius of the ball that shines; of a light at infinity, the tangent of half the angle under which it is
+    /// seen. All lights are points, of radius 0, as long as nothing draws or traces soft shadows.
+    pub radius: f32,
+}
 
 /// Why there is no such light.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
@@ -20,6 +29,12 @@ pub enum LightError {
     /// Neither a position nor a direction.
     #[error("w must be 1 (a point) or 0 (a direction), not {0}")]
     Weight(f64),
+    /// There are no keys.
+    #[error("a light path needs at least one key")]
+    NoKeys,
+    /// The times of the keys do not begin at 0 or do not increase.
+    #[error("the times of the light's keys must begin at 0 and increase")]
+    KeyTimes,
     /// A position that 32 bits do not hold.
     #[error(
         "the light is too far away for 32-bit numbers; give the direction towards it, with w = 0"
@@ -27,78 +42,66 @@ pub enum LightError {
     TooFar,
 }
 
-/// The light as a user writes it: with w = 1 a position, with w = 0 the direction towards it, of any length.
-pub fn light(xyz: DVec3, w: f64) -> Result<Vec4, LightError> {
-    if !xyz.is_finite() {
-        return Err(LightError::NotFinite);
+impl Light {
+    /// A point light.
+    #[must_use]
+    pub const fn at(place: Vec4) -> Self {
+        Self { place, radius: 0.0 }
     }
-    match w {
-        0.0 => direction(xyz).ok_or(LightError::NoDirection),
-        1.0 if xyz.as_vec3().is_finite() => Ok(canonical(xyz.as_vec3()).extend(1.0)),
-        1.0 => Err(LightError::TooFar),
-        _ => Err(LightError::Weight(w)),
+
+    /// A point light as a user writes it: with w = 1 a position, with w = 0 the direction towards it, of any
+    /// length.
+    ///
+    /// # Errors
+    /// When there is no such light.
+    pub fn new(xyz: DVec3, w: f64) -> Result<Self, LightError> {
+        if !xyz.is_finite() {
+            return Err(LightError::NotFinite);
+        }
+        let place = match w {
+            0.0 => direction(xyz).ok_or(LightError::NoDirection)?,
+            1.0 if xyz.as_vec3().is_finite() => canonical(xyz.as_vec3()),
+            1.0 => return Err(LightError::TooFar),
+            _ => return Err(LightError::Weight(w)),
+        };
+        Ok(Self::at(place.extend(w as f32)))
+    }
+
+    /// Says why there is no such light, if so.
+    ///
+    /// # Errors
+    /// When there is none.
+    pub fn validate(&self) -> Result<(), LightError> {
+        Self::new(self.place.truncate().as_dvec3(), f64::from(self.place.w)).map(drop)
     }
 }
 
-/// The light of a scene with this mesh, the same for all lengths of a direction.
-pub(super) fn of_scene(light: Vec4, mesh: &Mesh) -> Vec4 {
-    let xyz = light.truncate().as_dvec3();
-    if light.w == 0.0 {
-        return direction(xyz).unwrap_or(light);
-    }
-    let (low, high) = mesh.bounds();
-    let [low, high] = [low, high].map(Vec3::as_dvec3);
-    let from_middle = xyz - (low + high) / 2.0;
-    let radius = (high - low).length() / 2.0;
-    let is_far = radius > 0.0 && from_middle.is_finite() && from_middle.length() > FAR * radius;
-    let as_direction = if is_far { direction(from_middle) } else { None };
-    as_direction.unwrap_or_else(|| canonical(light.truncate()).extend(light.w))
-}
-
-/// Its largest coordinate is 1, so that doing this twice changes nothing.
-fn direction(xyz: DVec3) -> Option<Vec4> {
+/// The direction with a largest coordinate of 1, so that doing this twice changes nothing.
+pub(super) fn direction(xyz: DVec3) -> Option<Vec3> {
     let largest = xyz.abs().max_element();
     let is_one = largest > 0.0 && largest.is_finite();
-    is_one.then(|| canonical((xyz / largest).as_vec3()).extend(0.0))
+    is_one.then(|| canonical((xyz / largest).as_vec3()))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::Part;
     use proptest::prelude::*;
-
-    fn triangle(size: f32) -> Mesh {
-        let corners = [Vec3::ZERO, Vec3::X, Vec3::Y].map(|p| p * size);
-        [Part::of_triangles("", &[corners])].into_iter().collect()
-    }
 
     #[test]
     fn what_is_no_light_is_refused() {
+        let light = Light::new;
         assert_eq!(light(DVec3::ZERO, 0.0), Err(LightError::NoDirection));
         assert_eq!(light(DVec3::NAN, 1.0), Err(LightError::NotFinite));
         assert_eq!(light(DVec3::INFINITY, 0.0), Err(LightError::NotFinite));
         assert_eq!(light(DVec3::splat(1e39), 1.0), Err(LightError::TooFar));
         assert_eq!(light(DVec3::ONE, 0.5), Err(LightError::Weight(0.5)));
-        assert_eq!(light(DVec3::ZERO, 1.0), Ok(Vec4::W));
-    }
-
-    #[test]
-    fn a_light_beyond_what_a_scene_can_tell_is_a_direction() {
-        for size in [1e-3, 1.0, 1e6] {
-            let towards =
-                |distance: f32| Vec4::new(0.3, 1.0, -0.2, 0.0) * distance * size + Vec4::W;
-            let placed = |distance| of_scene(towards(distance), &triangle(size));
-            assert_eq!(placed(1e7), towards(1e7));
-            for distance in [1e9, 1e20, 1e30] {
-                let expected = Vec3::new(0.3, 1.0, -0.2);
-                let found = placed(distance);
-                assert_eq!(found.w, 0.0);
-                assert!((found.truncate() - expected).length() < 1e-6, "{found}");
-            }
-        }
-        // Without a size nothing is far.
-        assert_eq!(of_scene(Vec4::ONE, &Mesh::default()), Vec4::ONE);
+        assert_eq!(light(DVec3::ZERO, 1.0), Ok(Light::at(Vec4::W)));
+        assert_eq!(Light::at(Vec4::ONE).validate(), Ok(()));
+        assert_eq!(
+            Light::at(Vec4::ZERO).validate(),
+            Err(LightError::NoDirection)
+        );
     }
 
     proptest! {
@@ -108,11 +111,11 @@ mod tests {
             exponent in -300i32..300,
         ) {
             prop_assume!(xyz.length() > 0.01);
-            let one = light(xyz, 0.0).unwrap();
-            prop_assert_eq!(light(xyz * 10f64.powi(exponent), 0.0).unwrap(), one);
-            prop_assert_eq!(light(one.truncate().as_dvec3(), 0.0).unwrap(), one);
-            prop_assert_eq!(of_scene(one, &triangle(1.0)), one);
-            let cosine = one.truncate().as_dvec3().normalize().dot(xyz.normalize());
+            let one = Light::new(xyz, 0.0).unwrap();
+            prop_assert_eq!(Light::new(xyz * 10f64.powi(exponent), 0.0).unwrap(), one);
+            let towards = one.place.truncate().as_dvec3();
+            prop_assert_eq!(Light::new(towards, 0.0).unwrap(), one);
+            let cosine = towards.normalize().dot(xyz.normalize());
             prop_assert!(cosine > 1.0 - 1e-13);
         }
     }

@@ -1,9 +1,11 @@
-//! What is drawn: a mesh, a light and a camera path, from a scene file or a model file.
+//! What is drawn: a mesh, and a flight of camera and light, from a scene file or a model file.
 
 pub mod camera;
 pub mod export;
 pub mod file;
+pub mod flight;
 pub mod light;
+pub mod light_path;
 pub mod mesh;
 pub mod model_search;
 pub mod obj;
@@ -15,23 +17,28 @@ pub mod part;
 mod polygon;
 pub mod scene_error;
 pub mod sphere_grid;
+mod spline;
+pub mod view;
 mod weld;
 mod wire;
 
 use std::path::Path;
 
-use glam::{Vec3, Vec4};
+use glam::Vec3;
 
-pub use camera::{CameraKey, CameraPath, View};
+pub use camera::{CameraKey, CameraPath};
 pub use export::ExportError;
 pub use file::SceneFile;
-pub use light::LightError;
+pub use flight::{Flight, FrameError, Moment, MomentError};
+pub use light::{Light, LightError};
+pub use light_path::{LightKey, LightPath};
 pub use mesh::{Mesh, Object};
 pub use model_search::ModelSearch;
 pub use obj::{Model, ObjError, Up};
 pub use part::Part;
 pub use scene_error::SceneError;
 pub use sphere_grid::{SphereGrid, SphereGridError};
+pub use view::View;
 
 /// All that a frame needs to know about the world: plain data.
 #[derive(Clone, Debug, PartialEq)]
@@ -42,11 +49,8 @@ pub struct Scene {
     pub title: String,
     /// Its triangles.
     pub mesh: Mesh,
-    /// The light, canonical: a position with w = 1, or with w = 0 the direction *towards* it, whose largest
-    /// coordinate is 1. One too far away to tell from a direction is one.
-    pub light: Vec4,
-    /// Where the pictures are taken from.
-    pub camera: CameraPath,
+    /// Where camera and light are in time; places of the light are canonical, see [`Light::place`].
+    pub flight: Flight,
     /// Hexadecimal BLAKE3 of the mesh: equal hashes mean equal work.
     pub mesh_hash: String,
     /// What to know about the model before trusting a picture of it.
@@ -55,24 +59,24 @@ pub struct Scene {
 
 impl Scene {
     /// Puts a scene together and hashes its mesh.
-    pub fn new(name: String, title: String, mesh: Mesh, light: Vec4, camera: CameraPath) -> Self {
+    pub fn new(name: String, title: String, mesh: Mesh, flight: Flight) -> Self {
         let mesh_hash = mesh.hash();
-        let light = light::of_scene(light, &mesh);
+        let Flight { camera, light } = flight;
+        let light = light.of_scene(&mesh);
         Self {
             name,
             title,
             mesh,
-            light,
-            camera,
+            flight: Flight { camera, light },
             mesh_hash,
             notes: Vec::new(),
         }
     }
 
-    /// The same scene under another light.
-    pub fn with_light(self, light: Vec4) -> Self {
-        let light = light::of_scene(light, &self.mesh);
-        Self { light, ..self }
+    /// The same scene under another light, which stands still.
+    pub fn with_light(mut self, light: Light) -> Self {
+        self.flight.light = LightPath::still(light).of_scene(&self.mesh);
+        self
     }
 
     /// A bare model, seen whole and at an angle, lit from above.
@@ -88,10 +92,10 @@ impl Scene {
             .unwrap_or_default()
             .to_string_lossy()
             .into_owned();
-        let light = light.extend(1.0);
+        let flight = Flight::under(Light::at(light.extend(1.0)), camera);
         Ok(Self {
             notes,
-            ..Self::new(name.clone(), name, mesh, light, camera)
+            ..Self::new(name.clone(), name, mesh, flight)
         })
     }
 }

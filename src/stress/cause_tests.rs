@@ -1,5 +1,6 @@
 use super::*;
 use crate::reference::{Reference, ReferenceMask, ReferenceView, Verdict};
+use crate::scene::Moment;
 use crate::scene::mesh::canonical;
 
 const FILE: &str = "title = \"T\"\nfamily = \"fan\"\nnumber = \"pages\"\nwhy = \"w\"\n";
@@ -10,7 +11,7 @@ fn error(text: &str) -> String {
 
 fn truth(scene: &Scene) -> ReferenceMask {
     let (width, height) = (160, 120);
-    let view = scene.camera.view_at(0.0);
+    let Moment { view, light } = scene.flight.at(0.0);
     let view = ReferenceView {
         width,
         height,
@@ -19,7 +20,7 @@ fn truth(scene: &Scene) -> ReferenceMask {
     let mesh = &scene.mesh;
     let reference = Reference::new(&mesh.positions, &mesh.triangles, |_| true).unwrap();
     let ids = reference.visible_ids(&view).unwrap();
-    reference.trace(scene.light, &view, &ids).unwrap()
+    reference.trace(light, &view, &ids).unwrap()
 }
 
 #[test]
@@ -70,13 +71,10 @@ fn every_value_makes_a_scene_that_can_be_drawn() {
             let name = format!("{}_{value}", cause.id);
             assert_eq!(scene.name, name);
             assert_eq!(scene, cause.scene(value, 1), "{name}");
-            assert_eq!(scene.camera.keys.len(), 1);
-            assert_eq!(scene.camera.view_at(0.0).validate(), Ok(()), "{name}");
+            assert_eq!(scene.flight.camera.keys.len(), 1);
+            assert_eq!(scene.flight.at(0.0).validate(), Ok(()), "{name}");
             let mesh = &scene.mesh;
-            assert!(
-                scene.light.is_finite() && !mesh.triangles.is_empty(),
-                "{name}"
-            );
+            assert!(!mesh.triangles.is_empty(), "{name}");
             let is_canonical = |p: &glam::Vec3| p.is_finite() && canonical(*p) == *p;
             assert!(mesh.positions.iter().all(is_canonical), "{name}");
             assert_eq!(mesh.caster_object_count(), mesh.objects.len(), "{name}");

@@ -5,7 +5,7 @@
 //! telling is wrong in one of the two pictures, and no truth is needed to see that: *metamorphic testing*
 //! (Chen, Cheung, Yiu 1998).
 
-use super::rewrite;
+use super::rewrite::{self, Changed};
 use crate::scene::Scene;
 use rand::{Rng, RngExt};
 
@@ -43,15 +43,6 @@ pub enum Keeps {
     EveryPixel,
     /// The mask but for pixels at the true shadow boundary, which last bits decide.
     AllButBoundary,
-}
-
-/// A scene told otherwise.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Changed {
-    /// The scene.
-    pub scene: Scene,
-    /// Of each triangle, the one of the scene before that it is, or is a part of.
-    pub origins: Vec<u32>,
 }
 
 impl Change {

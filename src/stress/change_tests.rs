@@ -1,6 +1,6 @@
 use super::*;
 use crate::geometry::Topology;
-use crate::scene::{Mesh, Part, SphereGrid};
+use crate::scene::{Light, Mesh, Part, SphereGrid};
 use crate::stress::fixtures::small_grid;
 use glam::{DVec3, Vec3};
 use rand::SeedableRng;
@@ -190,15 +190,22 @@ fn scaling_takes_light_and_camera_along() {
     let scaled = apply(Change::Scale, &scene).unwrap().scene;
     let factor = scaled.mesh.positions[0].y / scene.mesh.positions[0].y;
     assert!(factor >= 2.0 && factor.log2().fract() == 0.0, "{factor}");
-    assert_eq!(scaled.light.truncate(), scene.light.truncate() * factor);
-    let (before, after) = (scene.camera.view_at(1.5), scaled.camera.view_at(1.5));
+    assert_eq!(
+        scaled.flight.light.keys[0].place,
+        scene.flight.light.keys[0].place * factor
+    );
+    let (before, after) = (scene.flight.at(1.5).view, scaled.flight.at(1.5).view);
     assert_eq!(after.eye, before.eye * factor);
     assert_eq!(after.target, before.target * factor);
     assert_eq!(after.near, before.near * factor);
-    let directional = scene.clone().with_light(glam::Vec4::Y);
+    let directional = scene.clone().with_light(Light::at(glam::Vec4::Y));
     assert_eq!(
-        apply(Change::Scale, &directional).unwrap().scene.light,
-        glam::Vec4::Y
+        apply(Change::Scale, &directional)
+            .unwrap()
+            .scene
+            .flight
+            .light,
+        directional.flight.light
     );
     let mut huge = scene;
     huge.mesh.positions[0].x = 9e8;

@@ -29,8 +29,7 @@ pub fn damage(scene: &Scene, share: f64, random: &mut impl Rng) -> Scene {
         format!("{}_damaged", scene.name),
         format!("{}, damaged", scene.title),
         damaged,
-        scene.light,
-        scene.camera.clone(),
+        scene.flight.clone(),
     )
 }
 

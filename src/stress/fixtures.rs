@@ -1,6 +1,6 @@
 //! Scenes for the tests of this module.
 
-use crate::scene::{CameraKey, CameraPath, Scene, SphereGrid};
+use crate::scene::{CameraKey, CameraPath, Flight, Light, Scene, SphereGrid};
 use glam::{Vec3, Vec4};
 
 /// Four coarse spheres over a ground that only receives.
@@ -23,5 +23,6 @@ pub(super) fn small_grid() -> Scene {
     };
     let mesh = grid.mesh().expect("a valid grid");
     let light = Vec4::new(3.0, 30.0, 5.0, 1.0);
-    Scene::new("grid".to_owned(), "grid".to_owned(), mesh, light, camera)
+    let flight = Flight::under(Light::at(light), camera);
+    Scene::new("grid".to_owned(), "grid".to_owned(), mesh, flight)
 }

@@ -227,7 +227,7 @@ fn look(
     let stage = DeviceScene::new(&gpu, scene, judge.size_px)?.resources(depth)?;
     let cache = ReferenceCache::open(None);
     let verifier = Verifier::new(&gpu, scene, &stage, &cache)?;
-    let truth = verifier.truth(&scene.camera.view_at(0.0))?;
+    let truth = verifier.truth(&scene.flight.at(0.0))?;
     verifier.look(&truth, pixels)
 }
 

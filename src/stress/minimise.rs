@@ -6,7 +6,7 @@
 
 use super::simpler::{effort, simpler};
 use crate::judge::Observer;
-use crate::scene::{CameraPath, Scene};
+use crate::scene::{Flight, Scene};
 use glam::Vec3;
 use std::collections::HashSet;
 
@@ -32,7 +32,7 @@ pub enum MinimiseError {
     Trial(#[from] anyhow::Error),
 }
 
-/// Shrinks `scene`, of whose camera only the start counts, as long as `fails` says yes.
+/// Shrinks `scene`, of whose flight only the start counts, as long as `fails` says yes.
 ///
 /// In the end, no single triangle can be left out, and no number of a vertex, the eye, its target or the light
 /// made simpler, unless `observer` stops it. Names, up, the opening angle and the near plane stay.
@@ -44,14 +44,8 @@ pub fn minimise(
     fails: &mut dyn FnMut(&Scene) -> anyhow::Result<bool>,
     observer: &dyn Observer,
 ) -> Result<Minimised, MinimiseError> {
-    let mut keys = scene.camera.keys.clone();
-    keys.truncate(1);
-    let camera = CameraPath {
-        keys,
-        ..scene.camera.clone()
-    };
     let still = Scene {
-        camera,
+        flight: Flight::still(&scene.flight.at(0.0)),
         ..scene.clone()
     };
     let mut search = Search {
@@ -262,18 +256,18 @@ enum Place {
 impl Place {
     fn get(self, scene: &Scene) -> Vec3 {
         match self {
-            Self::Light => scene.light.truncate(),
-            Self::Eye => scene.camera.keys[0].eye,
-            Self::Target => scene.camera.keys[0].target,
+            Self::Light => scene.flight.light.keys[0].place,
+            Self::Eye => scene.flight.camera.keys[0].eye,
+            Self::Target => scene.flight.camera.keys[0].target,
             Self::Vertex(number) => scene.mesh.positions[number],
         }
     }
 
     fn set(self, scene: &mut Scene, point: Vec3) {
         match self {
-            Self::Light => scene.light = point.extend(scene.light.w),
-            Self::Eye => scene.camera.keys[0].eye = point,
-            Self::Target => scene.camera.keys[0].target = point,
+            Self::Light => scene.flight.light.keys[0].place = point,
+            Self::Eye => scene.flight.camera.keys[0].eye = point,
+            Self::Target => scene.flight.camera.keys[0].target = point,
             Self::Vertex(number) => scene.mesh.positions[number] = point,
         }
     }
@@ -282,26 +276,25 @@ impl Place {
 fn with_triangles(scene: &Scene, keep: impl Fn(usize) -> bool) -> Scene {
     let (name, title) = (scene.name.clone(), scene.title.clone());
     let mesh = scene.mesh.filtered(keep);
-    Scene::new(name, title, mesh, scene.light, scene.camera.clone())
+    Scene::new(name, title, mesh, scene.flight.clone())
 }
 
 /// The scene made anew of its points, if it still is one.
 fn remade(scene: &Scene) -> Option<Scene> {
     let scene = with_triangles(scene, |_| true);
-    let light =
-        scene.light.is_finite() && (scene.light.w != 0.0 || scene.light.truncate() != Vec3::ZERO);
+    let Flight { camera, light } = &scene.flight;
     let mesh = scene.mesh.positions.iter().all(|p| p.is_finite());
-    (light && mesh && scene.camera.validate().is_ok()).then_some(scene)
+    (mesh && light.validate().is_ok() && camera.validate().is_ok()).then_some(scene)
 }
 
 /// What tells scenes apart here: the mesh, the light and the eye.
 type Fingerprint = (String, [u32; 10]);
 
 fn fingerprint(scene: &Scene) -> Fingerprint {
-    let key = scene.camera.keys[0];
-    let numbers =
-        [scene.light.truncate(), key.eye, key.target].map(|v| v.to_array().map(f32::to_bits));
-    let mut all = [scene.light.w.to_bits(); 10];
+    let Flight { camera, light } = &scene.flight;
+    let (key, place) = (camera.keys[0], light.keys[0].place);
+    let numbers = [place, key.eye, key.target].map(|v| v.to_array().map(f32::to_bits));
+    let mut all = [light.w.to_bits(); 10];
     all[1..].copy_from_slice(numbers.as_flattened());
     (scene.mesh_hash.clone(), all)
 }

@@ -3,7 +3,7 @@ use std::cell::Cell;
 use glam::Vec4;
 
 use super::*;
-use crate::scene::{Mesh, Part};
+use crate::scene::{CameraPath, Light, Mesh, Part};
 
 /// Stops the search after so many looks at it.
 struct After(Cell<usize>);
@@ -42,7 +42,8 @@ fn tower(count: usize) -> Scene {
     let (low, high) = mesh.bounds();
     let light = Vec4::new(0.37, 2000.1, 0.21, 1.0);
     let camera = CameraPath::framing(low, high);
-    Scene::new("tower".to_owned(), "Tower".to_owned(), mesh, light, camera)
+    let flight = Flight::under(Light::at(light), camera);
+    Scene::new("tower".to_owned(), "Tower".to_owned(), mesh, flight)
 }
 
 /// Heights of the triangles, rounded down.
@@ -99,10 +100,10 @@ fn numbers_become_round_where_that_does_not_matter() {
             .iter()
             .all(|p| [p.x, p.z] == [0.0, 0.0])
     );
-    assert_eq!(scene.light.truncate(), Vec3::ZERO);
+    assert_eq!(scene.flight.light.keys[0].place, Vec3::ZERO);
     // The camera has to stay one.
-    assert_eq!(scene.camera.validate(), Ok(()));
-    let key = scene.camera.keys[0];
+    assert_eq!(scene.flight.camera.validate(), Ok(()));
+    let key = scene.flight.camera.keys[0];
     let numbers = [key.eye, key.target].map(|v| v.to_array());
     assert!(
         numbers.as_flattened().iter().all(|x| effort(*x) < 2),
@@ -112,9 +113,15 @@ fn numbers_become_round_where_that_does_not_matter() {
 
 #[test]
 fn a_direction_to_the_light_stays_one() {
-    let scene = tower(3).with_light(Vec4::new(0.123, 0.456, 0.789, 0.0));
+    let scene = tower(3).with_light(Light::at(Vec4::new(0.123, 0.456, 0.789, 0.0)));
     let left = minimise(&scene, &mut |_| Ok(true), &never()).unwrap().scene;
-    assert_eq!((left.light.w, left.light.length_squared()), (0.0, 1.0));
+    assert_eq!(
+        (
+            left.flight.light.w,
+            left.flight.light.keys[0].place.length_squared()
+        ),
+        (0.0, 1.0)
+    );
     assert_eq!(left.mesh.triangles.len(), 1);
 }
 
@@ -164,7 +171,8 @@ fn a_last_vertex_that_falls_on_another_ends_its_turn() {
     let (low, high) = mesh.bounds();
     let camera = CameraPath::framing(low, high);
     let light = Vec4::new(0.37, 20.1, 0.21, 1.0);
-    let scene = Scene::new("one".to_owned(), "One".to_owned(), mesh, light, camera);
+    let flight = Flight::under(Light::at(light), camera);
+    let scene = Scene::new("one".to_owned(), "One".to_owned(), mesh, flight);
     let minimal = minimise(&scene, &mut |_| Ok(true), &never()).unwrap();
     assert_eq!(minimal.scene.mesh.triangles.len(), 1);
 }

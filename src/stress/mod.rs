@@ -23,9 +23,10 @@ mod simpler;
 mod sweep;
 
 pub use cause::{Cause, CauseError, corpus, find_cause};
-pub use change::{Change, Changed, Keeps};
+pub use change::{Change, Keeps};
 pub use damage::damage;
 pub use finding::Finding;
 pub use fuzz::{Failure, FuzzPlan, Tally, fuzz};
 pub use plan::{StressPlan, cause_called};
+pub use rewrite::Changed;
 pub use sweep::{StressRequest, sweep};

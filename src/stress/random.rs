@@ -2,7 +2,7 @@
 //! anywhere, inside of things too.
 
 use crate::scene::mesh::canonical;
-use crate::scene::{CameraKey, CameraPath, Mesh, Part, Scene, SphereGrid};
+use crate::scene::{CameraKey, CameraPath, Flight, Light, Mesh, Part, Scene, SphereGrid};
 use glam::{Vec3, Vec4};
 use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -34,7 +34,8 @@ pub fn case(seed: u64) -> Scene {
     };
     let mesh: Mesh = [casters].into_iter().chain(ground).collect();
     let title = format!("Random scene {seed}");
-    Scene::new(format!("random_{seed}"), title, mesh, light, camera)
+    let flight = Flight::under(Light::at(light), camera);
+    Scene::new(format!("random_{seed}"), title, mesh, flight)
 }
 
 /// Triangles that have nothing to do with each other, around the origin; corners are at most `size` from a
@@ -147,7 +148,7 @@ mod tests {
             assert_eq!(scene, case(seed));
             assert!((1..=203).contains(&scene.mesh.triangles.len()), "{seed}");
             assert!(scene.mesh.positions.iter().all(|p| p.is_finite()));
-            scene.camera.validate().unwrap();
+            scene.flight.camera.validate().unwrap();
         }
         assert_ne!(case(1).mesh_hash, case(2).mesh_hash);
     }

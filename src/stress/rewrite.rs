@@ -1,12 +1,20 @@
 //! Meshes told otherwise: how [`Change`](super::Change)s are made.
 
-use super::change::Changed;
 use crate::geometry::Topology;
-use crate::scene::{CameraKey, CameraPath, Mesh, Object, Part, Scene};
+use crate::scene::{CameraKey, CameraPath, Flight, LightKey, LightPath, Mesh, Object, Part, Scene};
 use glam::Vec3;
 use rand::seq::SliceRandom;
 use rand::{Rng, RngExt};
 use std::collections::HashSet;
+
+/// A scene whose shadow is that of another.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Changed {
+    /// The scene.
+    pub scene: Scene,
+    /// Of each triangle, the one of the scene before that it is, or is a part of.
+    pub origins: Vec<u32>,
+}
 
 /// A mesh, and of each triangle the one that it comes from.
 pub(super) type Rewritten = (Mesh, Vec<u32>);
@@ -186,12 +194,8 @@ pub(super) fn scale(scene: &Scene, random: &mut impl Rng) -> Option<Changed> {
     /// Far from what overflows when three lengths are multiplied.
     const LARGEST: f32 = 1e9;
     let factor = 2f32.powi(random.random_range(1..=10));
-    let Scene {
-        mesh,
-        camera,
-        light,
-        ..
-    } = scene;
+    let mesh = &scene.mesh;
+    let Flight { camera, light } = &scene.flight;
     let key = |key: &CameraKey| CameraKey {
         time_s: key.time_s,
         eye: key.eye * factor,
@@ -203,14 +207,22 @@ pub(super) fn scale(scene: &Scene, random: &mut impl Rng) -> Option<Changed> {
         ..camera.clone()
     };
     // A direction stays as it is.
-    let light = (light.truncate() * if light.w == 0.0 { 1.0 } else { factor }).extend(light.w);
+    let towards = if light.w == 0.0 { 1.0 } else { factor };
+    let light_key = |key: &LightKey| LightKey {
+        time_s: key.time_s,
+        place: key.place * towards,
+    };
+    let light = LightPath {
+        keys: light.keys.iter().map(light_key).collect(),
+        radius: light.radius * towards,
+        ..*light
+    };
     let positions: Vec<_> = mesh.positions.iter().map(|p| *p * factor).collect();
-    let points = positions
+    let largest = positions
         .iter()
-        .chain(camera.keys.iter().map(|key| &key.eye));
-    let largest = points.fold(light.truncate().abs().max_element(), |largest, p| {
-        largest.max(p.abs().max_element())
-    });
+        .chain(camera.keys.iter().map(|key| &key.eye))
+        .chain(light.keys.iter().map(|key| &key.place))
+        .fold(0f32, |largest, p| largest.max(p.abs().max_element()));
     let origins = identity(mesh.triangles.len());
     let mesh = Mesh {
         positions,
@@ -218,7 +230,7 @@ pub(super) fn scale(scene: &Scene, random: &mut impl Rng) -> Option<Changed> {
     };
     let (name, title) = (scene.name.clone(), scene.title.clone());
     (largest < LARGEST).then(|| Changed {
-        scene: Scene::new(name, title, mesh, light, camera),
+        scene: Scene::new(name, title, mesh, Flight { camera, light }),
         origins,
     })
 }

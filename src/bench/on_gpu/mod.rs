@@ -15,7 +15,7 @@ use crate::scene::Scene;
 use anyhow::Context;
 use std::rc::Rc;
 use std::time::Instant;
-use verify::Moment;
+use verify::Traced;
 
 /// A device, opened again where it was lost.
 pub(super) struct OnGpu<'a> {
@@ -41,7 +41,7 @@ impl Executor for OnGpu<'_> {
             cache: self.cache,
             reference: None,
             ready: Vec::new(),
-            moment: None,
+            traced: None,
             bias_truths: Vec::new(),
             timer: FrameTimer::new(&self.gpu),
             shown: Vec::new(),
@@ -59,7 +59,7 @@ struct GpuSession<'a> {
     /// The methods by cell.
     ready: Vec<Option<ReadyMethod>>,
     /// What is true where frames are verified.
-    moment: Option<Moment>,
+    traced: Option<Traced>,
     /// What is true where biases are tried.
     bias_truths: Vec<(DepthSetup, Rc<[Truth]>)>,
     timer: FrameTimer<()>,
@@ -95,8 +95,8 @@ impl Session for GpuSession<'_> {
             let truths = match known {
                 Some((_, truths)) => Rc::clone(truths),
                 None => {
-                    let times_s = self.plan.bias_times(&scene.camera).into_iter();
-                    let truths = times_s.map(|s| verifier.truth(&scene.camera.view_at(s)));
+                    let times_s = self.plan.bias_times(&scene.flight).into_iter();
+                    let truths = times_s.map(|s| verifier.truth(&scene.flight.at(s)));
                     let truths: Rc<[Truth]> = truths.collect::<anyhow::Result<_>>()?;
                     self.bias_truths.push((depth, Rc::clone(&truths)));
                     truths
@@ -131,14 +131,14 @@ impl Session for GpuSession<'_> {
 
     fn trace(&mut self, depth: DepthSetup, time_s: f64) -> Result<Vec<u8>, NoPicture> {
         // What was true before need not be kept beside it.
-        self.moment = None;
+        self.traced = None;
         let gpu = self.device.gpu.clone();
         contain(&gpu, None, || {
             let reference = self.reference()?;
             let (scene, resources) = (self.device.scene, self.device.resources(depth)?);
             let verifier = Verifier::sharing(&gpu, scene, &resources, self.cache, &reference);
-            let moment = Moment::new(self.plan, &verifier, &scene.camera, time_s)?;
-            Ok(self.moment.insert(moment).truth.mask.to_grey())
+            let traced = Traced::new(self.plan, &verifier, &scene.flight, time_s)?;
+            Ok(self.traced.insert(traced).truth.mask.to_grey())
         })
     }
 
@@ -151,12 +151,12 @@ impl Session for GpuSession<'_> {
         let gpu = self.device.gpu.clone();
         contain(&gpu, deadline, || {
             let reference = self.reference()?;
-            let moment = self.moment.as_ref().context("nothing was traced")?;
+            let traced = self.traced.as_ref().context("nothing was traced")?;
             let ready = of_cell(&mut self.ready, index)?;
             let resources = Rc::clone(&ready.resources);
             let verifier =
                 Verifier::sharing(&gpu, self.device.scene, &resources, self.cache, &reference);
-            moment.verify(self.plan, &verifier, ready, (cell, frame))
+            traced.verify(self.plan, &verifier, ready, (cell, frame))
         })
     }
 
@@ -181,12 +181,11 @@ impl Session for GpuSession<'_> {
         contain(gpu, deadline, || {
             let ready = of_cell(ready, cell)?;
             let (time_s, lead_in) = times_s.split_last().context("no frame to draw")?;
-            let views: Vec<_> = lead_in.iter().map(|s| scene.camera.view_at(*s)).collect();
-            ready.begin(gpu, &views, scene.light)?;
+            let lead_in: Vec<_> = lead_in.iter().map(|s| scene.flight.at(*s)).collect();
+            ready.begin(gpu, &lead_in)?;
             let depth = ready.resources.depth;
-            if !views.is_empty() || !shown.contains(&(depth, *time_s)) {
-                let view = scene.camera.view_at(*time_s);
-                ready.resources.set_view(gpu, &view, scene.light);
+            if !lead_in.is_empty() || !shown.contains(&(depth, *time_s)) {
+                ready.resources.set_view(gpu, &scene.flight.at(*time_s));
                 shown.retain(|(setup, _)| *setup != depth);
                 shown.push((depth, *time_s));
             }

@@ -6,13 +6,13 @@ use crate::config::RunPlan;
 use crate::judge::{Judgement, ReadyMethod, Truth, Verifier, flicker};
 use crate::record::{Cell, FrameError, ImageKind, RegionRow, pairs_to_text};
 use crate::reference::Motion;
-use crate::scene::CameraPath;
+use crate::scene::Flight;
 
 /// Regions of artifact pixels that are kept of each frame, the largest ones.
 const MAX_REGIONS: usize = 8;
 
 /// What is true at a time of the flight, and in the frame after it where flicker is looked for.
-pub(super) struct Moment {
+pub(super) struct Traced {
     time_s: f64,
     pub(super) truth: Truth,
     /// When the next frame is, what is true in it, and where what was seen has gone.
@@ -21,24 +21,24 @@ pub(super) struct Moment {
     picture: Option<Vec<u8>>,
 }
 
-impl Moment {
+impl Traced {
     pub(super) fn new(
         plan: &RunPlan,
         verifier: &Verifier<'_>,
-        camera: &CameraPath,
+        flight: &Flight,
         time_s: f64,
     ) -> anyhow::Result<Self> {
-        let truth = verifier.truth(&camera.view_at(time_s))?;
+        let truth = verifier.truth(&flight.at(time_s))?;
         let picture = plan.verification.flip;
         let picture = picture.then(|| verifier.true_picture(&truth)).transpose()?;
         // At the end of the flight there is no next frame, and the one before does as well.
-        let next_s = if time_s + FRAME_S <= camera.duration_s() {
+        let next_s = if time_s + FRAME_S <= flight.duration_s() {
             time_s + FRAME_S
         } else {
             (time_s - FRAME_S).max(0.0)
         };
         let next = plan.verification.flicker.then(|| {
-            let next = verifier.truth(&camera.view_at(next_s))?;
+            let next = verifier.truth(&flight.at(next_s))?;
             let motion = verifier.motion(&truth, &next)?;
             Ok::<_, anyhow::Error>((next_s, next, motion))
         });

@@ -1,8 +1,9 @@
 //! Opening a device with everything switched on that the program may use of it.
 
-use crate::gpu::capability::{Capability, Source};
+use crate::gpu::capability::{Capability, ExtensionFeature, Source};
 use ash::vk;
 use std::collections::BTreeSet;
+use std::ffi::CStr;
 use wgpu::hal::api::Vulkan;
 
 /// A device and its queue.
@@ -28,6 +29,7 @@ pub fn open(
         label: Some("svbench"),
         required_features,
         required_limits: adapter.limits(),
+        experimental_features: experimental(required_features),
         ..Default::default()
     };
     // SAFETY: the adapter is only asked what it runs on.
@@ -35,6 +37,16 @@ pub fn open(
         return open_vulkan(adapter, &descriptor, capabilities);
     }
     pollster::block_on(adapter.request_device(&descriptor)).map_err(|error| error.to_string())
+}
+
+/// wgpu wants to be told that its unfinished features, such as ray queries and mesh shaders, may be unsound.
+fn experimental(features: wgpu::Features) -> wgpu::ExperimentalFeatures {
+    if !features.intersects(wgpu::Features::all_experimental_mask()) {
+        return wgpu::ExperimentalFeatures::disabled();
+    }
+    // SAFETY: only features of the table of capabilities are asked for; whoever adds one to it has read what wgpu says
+    // of its state.
+    unsafe { wgpu::ExperimentalFeatures::enabled() }
 }
 
 /// wgpu keeps the core Vulkan feature set private, so the device is created here with wgpu's own
@@ -52,20 +64,7 @@ fn open_vulkan(
     let mut extensions = hal.required_device_extensions(features);
     let mut enabled = hal.physical_device_features(&extensions, features);
     let mut core = enabled.get_core();
-    let mut of_extensions = Vec::new();
-    for capability in capabilities {
-        match capability.source() {
-            // Only ever switched on: wgpu may have asked for it as well.
-            Source::VulkanFeature(bit) => *bit(&mut core) = vk::TRUE,
-            Source::VulkanExtension(name, feature) => {
-                if !extensions.contains(&name) {
-                    extensions.push(name);
-                }
-                of_extensions.extend(feature.map(|feature| feature()));
-            }
-            Source::Wgpu(_) | Source::VulkanFormat(..) => {}
-        }
-    }
+    let mut of_extensions = switch_on(capabilities, &mut core, &mut extensions);
 
     let queues = [vk::DeviceQueueCreateInfo::default()
         .queue_family_index(QUEUE_FAMILY)
@@ -76,7 +75,6 @@ fn open_vulkan(
         .enabled_extension_names(&extension_names);
     let mut info = enabled.add_to_device_create(info).enabled_features(&core);
     for feature in &mut of_extensions {
-        *feature.bit() = vk::TRUE;
         info = info.push_next(feature.for_device());
     }
     // SAFETY: extensions and features are those that wgpu would ask for, plus those that
@@ -105,4 +103,31 @@ fn open_vulkan(
     drop(hal);
     // SAFETY: `open` was made from this adapter, with at least `descriptor`'s features.
     unsafe { adapter.create_device_from_hal(open, descriptor) }.map_err(|error| error.to_string())
+}
+
+/// Adds capabilities to the core features and the extensions of a device that wgpu would open; gives the features of
+/// those extensions, on.
+fn switch_on(
+    capabilities: &BTreeSet<Capability>,
+    core: &mut vk::PhysicalDeviceFeatures,
+    extensions: &mut Vec<&'static CStr>,
+) -> Vec<Box<dyn ExtensionFeature>> {
+    let mut features = Vec::new();
+    for capability in capabilities {
+        match capability.source() {
+            // Only ever switched on: wgpu may have asked for it as well.
+            Source::VulkanFeature(bit) => *bit(core) = vk::TRUE,
+            Source::VulkanExtension(name, feature) => {
+                if !extensions.contains(&name) {
+                    extensions.push(name);
+                }
+                features.extend(feature.map(|feature| feature()));
+            }
+            Source::Wgpu(_) | Source::VulkanFormat(..) => {}
+        }
+    }
+    for feature in &mut features {
+        *feature.bit() = vk::TRUE;
+    }
+    features
 }

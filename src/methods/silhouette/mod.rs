@@ -87,7 +87,11 @@ impl<S: SideStage> ShadowMethod for Silhouette<S> {
             ("edge_records", edges.edges.len() as u64),
             (
                 "extra_side_quads",
-                edges.extra_side_quads(mesh, parameters.determinism, context.scene.light),
+                edges.extra_side_quads(
+                    mesh,
+                    parameters.determinism,
+                    context.scene.flight.at(0.0).light.place,
+                ),
             ),
         ];
         let (sides, buffers) = match self.input {

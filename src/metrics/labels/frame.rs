@@ -1,10 +1,11 @@
 //! What the rules may ask of the picture.
 
-use glam::{DVec3, Vec4};
+use glam::DVec3;
 
 use crate::metrics::distances::EdgeDistances;
 use crate::metrics::mask_error::MaskComparison;
 use crate::reference::{Evidence, EvidenceProbe, Reference, ReferenceError, ReferenceView};
+use crate::scene::Light;
 
 /// Which texel of its shadow map a method looks up for a point in world space: layer, column, row.
 /// `None` for a point that the map does not cover.
@@ -15,8 +16,8 @@ pub type TexelLookup<'a> = dyn Fn(DVec3) -> Option<[i64; 3]> + Sync + 'a;
 pub struct FrameContext<'a> {
     /// The scene.
     pub reference: &'a Reference,
-    /// A point (w = 1) or the direction towards the light (w = 0).
-    pub light: Vec4,
+    /// The light of the picture.
+    pub light: Light,
     /// The view that the mask was drawn from.
     pub view: &'a ReferenceView,
     /// As [`Reference::trace`] takes them.

@@ -103,7 +103,7 @@ fn is_lit_and_away(frame: &Frame<'_>, pixels: &[usize], away_px: f64) -> bool {
     let truth = frame.comparison.truth;
     let lit = pixels
         .iter()
-        .filter(|&&pixel| truth.verdicts[pixel] == Verdict::Lit);
+        .filter(|&&pixel| truth.verdict(pixel) == Verdict::Lit);
     if (lit.count() as f64) < LIT_SHARE * pixels.len() as f64 {
         return false;
     }

@@ -134,9 +134,9 @@ fn neighbours(frame: &Frame<'_>, pixel: usize) -> impl Iterator<Item = usize> {
 
 /// Whether the true edge passes between two pixels.
 fn edge_between(frame: &Frame<'_>, one: usize, other: usize) -> bool {
-    let verdicts = &frame.comparison.truth.verdicts;
+    let truth = frame.comparison.truth;
     matches!(
-        (verdicts[one], verdicts[other]),
+        (truth.verdict(one), truth.verdict(other)),
         (Verdict::Lit, Verdict::Shadowed) | (Verdict::Shadowed, Verdict::Lit)
     )
 }

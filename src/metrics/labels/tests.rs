@@ -3,7 +3,7 @@
 use glam::{DVec2, DVec3, Vec3, Vec4};
 use std::sync::LazyLock;
 
-use super::Label;
+use crate::metrics::Label;
 use crate::metrics::shot::{CENTRE, HEIGHT, LIGHT, RADIUS, Shot, WIDTH};
 use crate::metrics::{MaskError, Region, Sign};
 use crate::reference::Verdict;
@@ -23,7 +23,7 @@ fn on_lit_floor(x: usize, y: usize) -> bool {
 /// A pixel in the middle of the shadow on the floor.
 fn middle_of_shadow(shot: &Shot) -> DVec2 {
     let pixels: Vec<usize> = (0..WIDTH * HEIGHT)
-        .filter(|&p| shot.is_floor(p) && shot.truth.verdicts[p] == Verdict::Shadowed)
+        .filter(|&p| shot.is_floor(p) && shot.truth.verdict(p) == Verdict::Shadowed)
         .collect();
     let place = |&p: &usize| DVec2::new((p % WIDTH) as f64, (p / WIDTH) as f64);
     pixels.iter().map(place).sum::<DVec2>() / pixels.len() as f64
@@ -72,7 +72,7 @@ fn a_mask_moved_by_three_pixels_is_none() {
 
 #[test]
 fn an_inverted_mask_is_inverted() {
-    let mask = SHOT.plant(|x, y| SHOT.truth.verdicts[y * WIDTH + x].is_surface());
+    let mask = SHOT.plant(|x, y| SHOT.truth.verdict(y * WIDTH + x).is_surface());
     let analysis = SHOT.analyse(&mask, None);
     assert_eq!(analysis.label_px(Label::Inverted), errors(&mask).wrong_px());
     let all_shadowed = SHOT.analyse(&[255; WIDTH * HEIGHT], None);
@@ -184,7 +184,7 @@ fn light_under_a_wall_detaches_its_shadow() {
             let pixel = y * WIDTH + x;
             let point = probe.point(pixel).unwrap_or(DVec3::INFINITY);
             shot.is_floor(pixel)
-                && shot.truth.verdicts[pixel] == Verdict::Shadowed
+                && shot.truth.verdict(pixel) == Verdict::Shadowed
                 && (from..to).contains(&point.z)
         })
     };
@@ -298,7 +298,7 @@ fn more_shadows_than_a_counter_holds_overflow() {
         );
         let mask = shot.plant(|x, y| {
             let pixel = y * WIDTH + x;
-            shot.is_floor(pixel) && shot.truth.verdicts[pixel] == Verdict::Shadowed
+            shot.is_floor(pixel) && shot.truth.verdict(pixel) == Verdict::Shadowed
         });
         let Region { label, sign, .. } = shot.analyse(&mask, None).regions[0];
         assert_eq!(sign, Sign::FalseLit);

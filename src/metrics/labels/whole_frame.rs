@@ -1,6 +1,6 @@
 //! What is true of a whole mask: it is inverted, or moved by a pixel.
 
-use super::Label;
+use crate::metrics::Label;
 use crate::metrics::mask_error::MaskComparison;
 use crate::reference::Verdict;
 
@@ -27,7 +27,7 @@ pub(super) fn whole_frame(comparison: &MaskComparison<'_>) -> Option<Label> {
 
 fn is_inverted(comparison: &MaskComparison<'_>) -> bool {
     let (mut surface, mut wrong) = ([0u64; 2], [0u64; 2]);
-    for (verdict, result) in comparison.truth.verdicts.iter().zip(comparison.results()) {
+    for (verdict, result) in comparison.truth.verdicts().zip(comparison.results()) {
         let side = match verdict {
             Verdict::Lit => 0,
             Verdict::Shadowed => 1,
@@ -70,7 +70,7 @@ fn wrong_when_moved(
         if !(0..width).contains(&x) || !(0..height).contains(&y) {
             return false;
         }
-        let truth = match comparison.truth.verdicts[pixel] {
+        let truth = match comparison.truth.verdict(pixel) {
             Verdict::Ambiguous => return false,
             verdict => verdict == Verdict::Shadowed,
         };

@@ -146,7 +146,12 @@ fn light(scene: &SceneRecord) -> String {
     } else {
         "at"
     };
-    format!("{kind} ({x}, {y}, {z})")
+    let moves = if scene.light_moves {
+        " at the start; it moves"
+    } else {
+        ""
+    };
+    format!("{kind} ({x}, {y}, {z}){moves}")
 }
 
 fn methods(run: &Run) -> Markup {

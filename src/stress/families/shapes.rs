@@ -1,6 +1,6 @@
 //! What the scenes are put together from: shapes in f64, rounded once at the end, and a picture of them.
 
-use crate::scene::{CameraKey, CameraPath, Part, Scene};
+use crate::scene::{CameraKey, CameraPath, Flight, Light, Part, Scene};
 use glam::{DQuat, DVec3, DVec4, EulerRot, Vec3};
 use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -34,7 +34,8 @@ impl Shot {
             near: self.near as f32,
         };
         let mesh = self.parts.into_iter().collect();
-        Scene::new(name, title, mesh, self.light.as_vec4(), camera)
+        let flight = Flight::under(Light::at(self.light.as_vec4()), camera);
+        Scene::new(name, title, mesh, flight)
     }
 }
 

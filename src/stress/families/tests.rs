@@ -61,7 +61,14 @@ fn all_pages_of_a_fan_are_on_one_edge_and_on_one_side_of_its_light_plane() {
         let multiplicity: i32 = topology
             .opposites_of(*most)
             .iter()
-            .map(|&opposite| facing(at(most.a), at(most.b), at(opposite), scene.light))
+            .map(|&opposite| {
+                facing(
+                    at(most.a),
+                    at(most.b),
+                    at(opposite),
+                    scene.flight.at(0.0).light.place,
+                )
+            })
             .sum();
         assert_eq!(multiplicity.unsigned_abs(), pages);
     }
@@ -168,5 +175,5 @@ fn the_light_is_where_it_should_be() {
         .triangle_range()
         .map(|t| mesh.corners(t).iter().sum::<glam::Vec3>());
     assert!(sums.into_iter().any(|sum| sum == glam::Vec3::ZERO));
-    assert_eq!(scene.light, glam::Vec4::W);
+    assert_eq!(scene.flight.at(0.0).light.place, glam::Vec4::W);
 }

@@ -2,9 +2,7 @@
 //! infinity, and the same answer every time.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
-mod common;
-
-use common::{box_edge_on_to_the_light, device, scene_over_ground, view};
+use crate::common::{box_edge_on_to_the_light, device, scene_over_ground, view};
 use glam::{Vec3, Vec4};
 use std::path::Path;
 use svbench::config::find_scene;
@@ -49,7 +47,7 @@ fn draw_all<'a>(
     let context = PrepareContext::new(gpu, scene, &stage);
     let cache = ReferenceCache::open(None);
     let verifier = Verifier::new(gpu, scene, &stage, &cache).unwrap();
-    let truth = verifier.truth(&scene.camera.view_at(0.0)).unwrap();
+    let truth = verifier.truth(&scene.flight.at(0.0)).unwrap();
     let draw = |method: &str| {
         let mut prepared = Registry::builtin()
             .parse(method)

@@ -2,9 +2,7 @@
 //! and that the truth decides nearly everything.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
-mod common;
-
-use common::{device, scene_over_ground, view};
+use crate::common::{device, scene_over_ground, view};
 use glam::{Vec3, Vec4};
 use std::path::Path;
 use svbench::config::{builtin_scenes, find_scene};
@@ -45,7 +43,7 @@ fn draw(gpu: &Gpu, scene: &Scene, method: &str, time_s: f64) -> Drawn {
     let mut prepared = method.prepare(&context).unwrap();
     let cache = ReferenceCache::open(None);
     let verifier = Verifier::new(gpu, scene, &stage, &cache).unwrap();
-    let truth = verifier.truth(&scene.camera.view_at(time_s)).unwrap();
+    let truth = verifier.truth(&scene.flight.at(time_s)).unwrap();
     let mask = verifier.draw_mask(prepared.as_mut(), &truth).unwrap();
     let judgement = verifier.compare(&mask, &truth, prepared.as_ref()).unwrap();
     Drawn {
@@ -200,8 +198,8 @@ fn hardly_a_pixel_of_any_scene_is_ambiguous() {
         let stage = FrameResources::new(&gpu, &scene, SIZE_PX.0, SIZE_PX.1).unwrap();
         let verifier = Verifier::new(&gpu, &scene, &stage, &cache).unwrap();
         for part in [0.1, 0.35, 0.6, 0.85] {
-            let time_s = part * scene.camera.duration_s();
-            let truth = verifier.truth(&scene.camera.view_at(time_s)).unwrap();
+            let time_s = part * scene.flight.duration_s();
+            let truth = verifier.truth(&scene.flight.at(time_s)).unwrap();
             let ambiguous = truth.mask.to_grey().iter().filter(|v| **v == 128).count();
             let limit = (SIZE_PX.0 * SIZE_PX.1) as usize / 200;
             assert!(ambiguous < limit, "{name} at {time_s} s: {ambiguous}");

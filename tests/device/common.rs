@@ -1,10 +1,9 @@
 //! What all tests on a device share.
-#![allow(dead_code, reason = "each test program uses its own part")]
 
 use glam::{Vec3, Vec4};
 use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
 use svbench::gpu::{Gpu, GpuOptions, messages};
-use svbench::scene::{CameraKey, CameraPath, Part, Scene, View};
+use svbench::scene::{CameraPath, Flight, Light, Part, Scene, View};
 
 static DEVICE: LazyLock<Mutex<Gpu>> = LazyLock::new(|| {
     let adapter = std::env::var("SVBENCH_TEST_ADAPTER").ok();
@@ -73,22 +72,11 @@ pub(crate) fn scene_over_ground(
     );
     let ground = Part::of_triangles("ground", &[[a, b, c], [c, b, d]]).receiver();
     let mesh = [Part::of_triangles("casters", triangles), ground];
-    let camera = CameraPath {
-        keys: vec![CameraKey {
-            time_s: 0.0,
-            eye: view.eye,
-            target: view.target,
-        }],
-        up: view.up,
-        fov_y_rad: view.fov_y_rad,
-        near: view.near,
-    };
     Scene::new(
         "test".to_owned(),
         "test".to_owned(),
         mesh.into_iter().collect(),
-        light,
-        camera,
+        Flight::under(Light::at(light), CameraPath::still(view)),
     )
 }
 

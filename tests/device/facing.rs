@@ -1,9 +1,7 @@
 //! The facing decision is the same in Rust, in every native stage and in WGSL, bit for bit.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
-mod common;
-
-use common::device;
+use crate::common::device;
 use glam::{Vec3, Vec4};
 use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;

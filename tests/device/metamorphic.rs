@@ -1,9 +1,7 @@
 //! Scenes told otherwise, and the same shadow.
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "tests")]
 
-mod common;
-
-use common::{device, scene_over_ground, view};
+use crate::common::{device, scene_over_ground, view};
 use glam::{Vec3, Vec4};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;

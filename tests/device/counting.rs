@@ -1,10 +1,8 @@
 //! z-pass where it is provably right, z-fail elsewhere, against z-fail everywhere.
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "tests")]
 
-mod common;
-
-use common::device;
-use glam::{Vec3, Vec4};
+use crate::common::device;
+use glam::Vec3;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use std::path::Path;
@@ -13,7 +11,7 @@ use svbench::frame::FrameResources;
 use svbench::frame::PreparedMethod;
 use svbench::gpu::FrameTimer;
 use svbench::methods::{PrepareContext, Registry};
-use svbench::scene::View;
+use svbench::scene::{Light, Moment, View};
 
 const SIZE_PX: (u32, u32) = (320, 240);
 const VIEWS: usize = 200;
@@ -54,7 +52,7 @@ fn auto_is_z_fail_with_fewer_draws() {
     let gpu = device();
     let plan = find_scene("sphere_grid", Path::new("")).unwrap();
     let scene = plan.file.load(&plan.search).unwrap();
-    let light = scene.light.truncate();
+    let light = scene.flight.at(0.0).light.place.truncate();
     let stage = FrameResources::new(&gpu, &scene, SIZE_PX.0, SIZE_PX.1).unwrap();
     let context = PrepareContext::new(&gpu, &scene, &stage);
     let prepare = |method: &str, counting: &str| -> Box<dyn PreparedMethod> {
@@ -89,10 +87,11 @@ fn auto_is_z_fail_with_fewer_draws() {
         let view = View {
             eye,
             target: point(Vec3::new(-12.0, 0.0, -12.0), Vec3::new(12.0, 3.0, 12.0)),
-            ..scene.camera.view_at(0.0)
+            ..scene.flight.at(0.0).view
         };
         shadowed_eyes += usize::from(in_shadow(eye, light));
-        stage.set_view(&gpu, &view, Vec4::from((light, 1.0)));
+        let light = Light::at(light.extend(1.0));
+        stage.set_view(&gpu, &Moment { view, light });
         for (method, (z_fail, auto)) in METHODS.iter().zip(&mut pairs) {
             let (expected, found) = (mask(z_fail.as_mut()), mask(auto.as_mut()));
             let differing = (0..expected.len()).filter(|&i| expected[i] != found[i]);

@@ -1,8 +1,6 @@
 //! A cell cannot take the run down: methods that ask for too much, panic, sleep or fail, each beside methods that do
 //! not.
 
-#![allow(clippy::unwrap_used, reason = "tests")]
-
 use clap::Parser;
 use std::time::Duration;
 use svbench::cli::Cli;
@@ -116,7 +114,7 @@ fn each_failure_is_its_cells_reason_and_all_others_are_measured() {
         (
             PANICS_IN_PREPARE,
             0,
-            "it panicked: on purpose, while it is prepared (tests/faults.rs:",
+            "it panicked: on purpose, while it is prepared (tests/device/faults.rs:",
         ),
         (PANICS_IN_RECORD, 1, "it panicked: on purpose, in frame 4"),
         (SLEEPS, 1, "longer than the 6 s that a cell has"),

@@ -2,9 +2,7 @@
 //! fails again.
 #![allow(clippy::unwrap_used, clippy::print_stderr, reason = "tests")]
 
-mod common;
-
-use common::{box_edge_on_to_the_light, device, scene_over_ground, view};
+use crate::common::{box_edge_on_to_the_light, device, scene_over_ground, view};
 use glam::{Vec3, Vec4};
 use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;

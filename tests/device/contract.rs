@@ -1,9 +1,8 @@
 //! What a frame promises to a method: stages on both clocks, commands in order whoever recorded them, answers within
 //! the frame and frames later, and state that ends where a sequence of frames does.
+#![allow(clippy::unwrap_used, reason = "tests")]
 
-mod common;
-
-use common::{device, scene_over_ground, view};
+use crate::common::{device, scene_over_ground, view};
 use glam::{Vec3, Vec4};
 use std::collections::VecDeque;
 use std::time::Duration;
@@ -17,6 +16,7 @@ use svbench::gpu::native::{
     Target, VertexInput,
 };
 use svbench::gpu::{FrameRecorder, FrameTimer, FrameTimes, Gpu, Ticket, readback, shader};
+use svbench::scene::{Light, Moment};
 
 const SIZE_PX: (u32, u32) = (96, 64);
 const PIXELS: usize = (SIZE_PX.0 * SIZE_PX.1) as usize;
@@ -26,7 +26,14 @@ fn resources(gpu: &Gpu) -> FrameResources {
     let light = Vec4::new(1.0, 9.0, 2.0, 1.0);
     let scene = scene_over_ground(&[triangle], 0.0, light, &view());
     let resources = FrameResources::new(gpu, &scene, SIZE_PX.0, SIZE_PX.1).unwrap();
-    resources.set_view(gpu, &view(), light);
+    let light = Light::at(light);
+    resources.set_view(
+        gpu,
+        &Moment {
+            view: view(),
+            light,
+        },
+    );
     resources
 }
 
@@ -316,7 +323,7 @@ impl AsksLater {
 
     fn ask(&mut self, frame: &mut Frame<'_>) {
         let view = &frame.targets().colour_view;
-        let draws = self.frame % 2 == 0;
+        let draws = self.frame.is_multiple_of(2);
         self.frame += 1;
         let ticket = frame.stage("query", |stage| {
             let mut pass = stage

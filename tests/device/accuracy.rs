@@ -2,10 +2,8 @@
 
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "tests")]
 
-mod common;
-
-use common::device;
-use glam::{Vec3, Vec4};
+use crate::common::device;
+use glam::Vec3;
 use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use std::path::Path;
@@ -17,7 +15,7 @@ use svbench::judge::Verifier;
 use svbench::methods::{PrepareContext, Registry};
 use svbench::metrics::MaskError;
 use svbench::reference::ReferenceCache;
-use svbench::scene::{Scene, View};
+use svbench::scene::{Light, Moment, Scene, View};
 
 const WIDTH: u32 = 1024;
 const HEIGHT: u32 = 768;
@@ -41,7 +39,7 @@ const METHODS: [&str; 8] = [
 
 /// Draws `scene` at each view and light with each method and returns the errors, and how many of them are hard, a
 /// row a view.
-fn errors(gpu: &Gpu, scene: &mut Scene, shots: &[(View, Vec4)]) -> Vec<Vec<(MaskError, usize)>> {
+fn errors(gpu: &Gpu, scene: &Scene, shots: &[Moment]) -> Vec<Vec<(MaskError, usize)>> {
     let cache = ReferenceCache::open(None);
     let stage = FrameResources::new(gpu, scene, WIDTH, HEIGHT).unwrap();
     let mut methods: Vec<Box<dyn PreparedMethod>> = {
@@ -55,12 +53,11 @@ fn errors(gpu: &Gpu, scene: &mut Scene, shots: &[(View, Vec4)]) -> Vec<Vec<(Mask
         };
         METHODS.map(prepare).into()
     };
-    let mut verifier = Verifier::new(gpu, scene, &stage, &cache).unwrap();
+    let verifier = Verifier::new(gpu, scene, &stage, &cache).unwrap();
     shots
         .iter()
-        .map(|(view, light)| {
-            verifier.light = *light;
-            let truth = verifier.truth(view).unwrap();
+        .map(|moment| {
+            let truth = verifier.truth(moment).unwrap();
             methods
                 .iter_mut()
                 .map(|method| {
@@ -102,8 +99,8 @@ fn sphere_grid_has_no_artifacts(slices: u32) {
         .file
         .with_sphere_grid(None, None, Some(slices))
         .unwrap();
-    let mut scene = file.load(&plan.search).unwrap();
-    let path = scene.camera.view_at(0.0);
+    let scene = file.load(&plan.search).unwrap();
+    let path = scene.flight.at(0.0).view;
     let shot = |random: &mut ChaCha8Rng| {
         let eye = outside_spheres(
             random,
@@ -120,14 +117,14 @@ fn sphere_grid_has_no_artifacts(slices: u32) {
             Vec3::new(-15.0, 0.1, -15.0),
             Vec3::new(15.0, 30.0, 15.0),
         );
-        (
-            View {
+        Moment {
+            view: View {
                 eye,
                 target,
                 ..path
             },
-            light.extend(1.0),
-        )
+            light: Light::at(light.extend(1.0)),
+        }
     };
     let shots: Vec<_> = SEEDS
         .into_iter()
@@ -137,13 +134,13 @@ fn sphere_grid_has_no_artifacts(slices: u32) {
         })
         .collect();
     let device = device();
-    let errors = errors(&device, &mut scene, &shots);
+    let errors = errors(&device, &scene, &shots);
     let (mut faults, mut hard) = (Vec::new(), [0; METHODS.len()]);
-    for ((view, light), row) in shots.iter().zip(&errors) {
+    for (Moment { view, light }, row) in shots.iter().zip(&errors) {
         for ((method, (error, hard_px)), hard) in METHODS.iter().zip(row).zip(&mut hard) {
             let place = format!(
-                "{method}, n = {slices}, eye {}, target {}, light {light}: {error:?}, {hard_px} hard",
-                view.eye, view.target
+                "{method}, n = {slices}, eye {}, target {}, light {}: {error:?}, {hard_px} hard",
+                view.eye, view.target, light.place
             );
             println!("{place}");
             let few = error.wrong_px() < MAX_WRONG_PX && error.ambiguous_px < MAX_AMBIGUOUS_PX;

@@ -1,9 +1,7 @@
 //! Wrong pixels that no tie excuses: the truth is the same all around their centre.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
-mod common;
-
-use common::{device, scene_over_ground, view};
+use crate::common::{device, scene_over_ground, view};
 use glam::{Vec3, Vec4};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -11,7 +9,7 @@ use svbench::frame::FrameResources;
 use svbench::judge::Verifier;
 use svbench::methods::{PrepareContext, Registry};
 use svbench::reference::{ReferenceCache, Verdict};
-use svbench::scene::{Scene, SphereGrid, View};
+use svbench::scene::{Moment, Scene, SphereGrid, View};
 
 /// Balls with a rough skin under a roof: as many outlines for the light as a scan has, all of them in shadow.
 fn rough_balls_under_a_roof() -> Scene {
@@ -66,7 +64,8 @@ fn no_specks_of_light_in_a_shadow() {
         eye: Vec3::new(x, y, z),
         ..view()
     });
-    let truths = views.map(|view| verifier.truth(&view).unwrap());
+    let light = scene.flight.at(0.0).light;
+    let truths = views.map(|view| verifier.truth(&Moment { view, light }).unwrap());
     let undecided = truths
         .each_ref()
         .map(|truth| truth.mask.count(Verdict::Ambiguous));

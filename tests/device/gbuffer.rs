@@ -1,21 +1,19 @@
 //! The G-buffer names the triangle that each pixel shows.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
-mod common;
-
-use common::device;
+use crate::common::device;
 use svbench::frame::FrameResources;
 use svbench::gpu::{FrameRecorder, Gpu, readback};
 use svbench::reference::{Reference, ReferenceView};
-use svbench::scene::{Scene, SphereGrid, View};
+use svbench::scene::{Moment, Scene, SphereGrid};
 use svbench::stress::random;
 
 const SIZE_PX: (u32, u32) = (160, 120);
 
 /// The numbers of the first view's pixels by the device and by rays.
-fn ids(gpu: &Gpu, scene: &Scene, view: &View) -> (Vec<u32>, Vec<u32>) {
+fn ids(gpu: &Gpu, scene: &Scene, moment: &Moment) -> (Vec<u32>, Vec<u32>) {
     let stage = FrameResources::new(gpu, scene, SIZE_PX.0, SIZE_PX.1).unwrap();
-    let frame_view = stage.set_view(gpu, view, scene.light);
+    let frame_view = stage.set_view(gpu, moment);
     let mut frame = FrameRecorder::untimed(gpu);
     stage.record_gbuffer(&mut frame);
     frame.submit();
@@ -33,8 +31,8 @@ fn ids(gpu: &Gpu, scene: &Scene, view: &View) -> (Vec<u32>, Vec<u32>) {
 
 /// Few pixels have a centre on an edge, or surfaces at equal depth, where either may be shown. Gives how many
 /// pixels show something.
-fn assert_alike(gpu: &Gpu, scene: &Scene, view: &View) -> usize {
-    let (drawn, by_rays) = ids(gpu, scene, view);
+fn assert_alike(gpu: &Gpu, scene: &Scene, moment: &Moment) -> usize {
+    let (drawn, by_rays) = ids(gpu, scene, moment);
     let differing = drawn.iter().zip(&by_rays).filter(|(a, b)| a != b).count();
     assert!(
         differing * 200 < drawn.len(),
@@ -52,14 +50,14 @@ fn pixels_name_the_triangles_that_rays_meet() {
         columns: 10,
         slices: 8,
     };
-    let (mesh, view) = (grid.mesh().unwrap(), common::view());
-    let template = common::scene_over_ground(&[], 0.0, glam::Vec4::new(3.0, 20.0, 5.0, 1.0), &view);
-    let (light, camera) = (template.light, template.camera);
-    let scene = Scene::new("grid".to_owned(), String::new(), mesh, light, camera);
-    let of_grid_px = assert_alike(&gpu, &scene, &view);
+    let (mesh, view) = (grid.mesh().unwrap(), crate::common::view());
+    let light = glam::Vec4::new(3.0, 20.0, 5.0, 1.0);
+    let template = crate::common::scene_over_ground(&[], 0.0, light, &view);
+    let scene = Scene::new("grid".to_owned(), String::new(), mesh, template.flight);
+    let of_grid_px = assert_alike(&gpu, &scene, &scene.flight.at(0.0));
     let soups = (0..20).map(random::case);
     let of_soups_px: usize = soups
-        .map(|soup| assert_alike(&gpu, &soup, &soup.camera.view_at(0.0)))
+        .map(|soup| assert_alike(&gpu, &soup, &soup.flight.at(0.0)))
         .sum();
     assert!(
         of_grid_px > 5000 && of_soups_px > 50_000,

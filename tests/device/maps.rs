@@ -1,14 +1,12 @@
 //! Shadow maps by their default bias: no surface shadows itself, wherever the scene is and wherever the light.
 #![allow(clippy::unwrap_used, reason = "tests")]
 
-mod common;
-
-use common::device;
+use crate::common::device;
 use glam::{Vec3, Vec4};
 use svbench::judge::Judge;
 use svbench::methods::Registry;
 use svbench::metrics::{Label, MaskError};
-use svbench::scene::{CameraKey, CameraPath, Part, Scene};
+use svbench::scene::{CameraKey, CameraPath, Flight, Light, Part, Scene};
 
 const SIZE_PX: (u32, u32) = (320, 240);
 const MAPS: [&str; 3] = ["shadow_map", "shadow_map,resolution=512", "cube_shadow_map"];
@@ -58,8 +56,7 @@ fn box_over_floor(height: f32, turn: fn(Vec3) -> Vec3, offset: Vec3, light: Vec4
         "box".to_owned(),
         "box".to_owned(),
         mesh.into_iter().collect(),
-        light,
-        camera,
+        Flight::under(Light::at(light), camera),
     )
 }
 

@@ -1,0 +1,18 @@
+//! What needs a device: one program, so that all its tests share one, opened once.
+
+mod accuracy;
+mod common;
+mod contract;
+mod counting;
+mod facing;
+mod faults;
+mod gbuffer;
+mod limits;
+mod maps;
+mod metamorphic;
+mod methods;
+mod minimise;
+mod moving_light;
+mod regression;
+mod stability;
+mod study;

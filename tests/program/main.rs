@@ -1,0 +1,6 @@
+//! The program and its scripts, as their users run them.
+
+mod bad_input;
+mod cli;
+mod report;
+mod scripts;
