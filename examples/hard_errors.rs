@@ -126,7 +126,7 @@ fn main() -> anyhow::Result<()> {
         let truth = verifier.truth(&moment)?;
         for ((method, prepared), sums) in methods.iter().zip(&mut prepared).zip(&mut sums) {
             let mask = verifier.draw_mask(prepared.as_mut(), &truth)?;
-            let error = verifier.judge(&mask, &truth, prepared.as_ref())?.error;
+            let error = verifier.compare(&mask, &truth, prepared.as_ref())?.error;
             let hard = verifier.hard_errors(&mask, &truth)?;
             let hidden = hard
                 .iter()

@@ -25,6 +25,7 @@ pub mod file_name;
 pub mod gpu;
 pub mod memory;
 pub mod output;
+mod panics;
 pub mod table;
 pub mod toml_array;
 pub mod toml_error;

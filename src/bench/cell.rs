@@ -1,12 +1,13 @@
 //! A method on a scene: one cell of a run's matrix, measured or on the way to it.
 
+use super::executor::Prepared;
 use super::measure::Measured;
-use crate::config::MethodPlan;
-use crate::frame::PreparedMethod;
-use crate::frame::{GBUFFER_STAGE, SHADE_STAGE};
+use super::time_limit::TimeLimit;
+use crate::config::{MethodPlan, RunPlan};
+use crate::frame::{DepthSetup, GBUFFER_STAGE, SHADE_STAGE};
 use crate::gpu::StageTime;
-use crate::methods::{MethodError, ShadowMethod};
-use crate::record::in_one_line;
+use crate::judge::NoPicture;
+use crate::methods::ShadowMethod;
 use crate::record::{
     Cell, MethodRecord, Sample, StageMs, Status, Summary, SweepRecord, VerifiedFrame,
 };
@@ -17,8 +18,8 @@ pub(super) struct CellRun<'a> {
     pub plan: &'a MethodPlan,
     pub cell: Cell,
     pub state: State,
-    /// Index of the stage that it is drawn on.
-    pub stage: usize,
+    /// The time that it may take.
+    pub time: TimeLimit,
     /// The bias that was found, if one was looked for.
     pub bias: Option<f64>,
     /// What a reader of its results should know.
@@ -32,7 +33,7 @@ pub(super) struct CellRun<'a> {
 pub(super) enum State {
     /// It is yet to be made ready, or ready again on another device.
     Planned,
-    Ready(Box<dyn PreparedMethod>),
+    Ready,
     Not(Status, String),
 }
 
@@ -53,16 +54,16 @@ pub(super) fn name_cell(
 }
 
 impl<'a> CellRun<'a> {
-    pub(super) fn new(plan: &'a MethodPlan, scene: &Scene, size_px: (u32, u32)) -> Self {
+    pub(super) fn new(run: &RunPlan, plan: &'a MethodPlan, scene: &Scene) -> Self {
         Self {
             plan,
+            time: TimeLimit::new(run.cell_timeout),
             cell: Cell {
                 triangles: Some(scene.mesh.caster_triangle_count() as u64),
                 objects: Some(scene.mesh.caster_object_count() as u64),
-                ..name_cell(&scene.name, plan.method.as_ref(), size_px)
+                ..name_cell(&scene.name, plan.method.as_ref(), run.size_px)
             },
             state: State::Planned,
-            stage: 0,
             bias: None,
             warnings: Vec::new(),
             verified: Vec::new(),
@@ -71,20 +72,14 @@ impl<'a> CellRun<'a> {
         }
     }
 
-    /// The method, if it can be drawn.
-    pub(super) fn prepared(&self) -> Option<&dyn PreparedMethod> {
-        match &self.state {
-            State::Ready(prepared) => Some(prepared.as_ref()),
-            State::Planned | State::Not(..) => None,
-        }
+    /// Whether it can be drawn.
+    pub(super) fn is_ready(&self) -> bool {
+        matches!(self.state, State::Ready)
     }
 
-    /// The same, to draw it.
-    pub(super) fn prepared_mut(&mut self) -> Option<&mut dyn PreparedMethod> {
-        match &mut self.state {
-            State::Ready(prepared) => Some(prepared.as_mut()),
-            State::Planned | State::Not(..) => None,
-        }
+    /// The depth buffer that its frames are drawn with.
+    pub(super) fn depth(&self) -> DepthSetup {
+        self.plan.method.depth_setup()
     }
 
     /// Whether there is something left to do.
@@ -92,25 +87,20 @@ impl<'a> CellRun<'a> {
         !matches!(self.state, State::Not(..))
     }
 
-    /// Takes the method as it was prepared, or why it could not be.
-    pub(super) fn ready(&mut self, prepared: Result<Box<dyn PreparedMethod>, MethodError>) {
-        match prepared {
-            Ok(prepared) => {
-                let counters = prepared.counters().into_iter();
-                self.cell.counters = counters.map(|(n, count)| (n.to_owned(), count)).collect();
-                self.warnings = prepared.warnings();
-                self.state = State::Ready(prepared);
-            }
-            Err(error @ MethodError::Unavailable(_)) => {
-                self.end(Status::Unavailable, error.to_string());
-            }
-            Err(error) => self.fail(&in_one_line(&error.into())),
-        }
+    /// It was made ready.
+    pub(super) fn ready(&mut self, prepared: Prepared) {
+        let counters = prepared.counters.into_iter();
+        self.cell.counters = counters.map(|(n, count)| (n.to_owned(), count)).collect();
+        self.warnings = prepared.warnings;
+        self.state = State::Ready;
     }
 
-    /// It broke; what was measured so far stays.
-    pub(super) fn fail(&mut self, reason: &str) {
-        self.end(Status::Failed, reason.to_owned());
+    /// It cannot go on; what was measured so far stays.
+    pub(super) fn refuse(&mut self, error: NoPicture) {
+        match error {
+            NoPicture::Unavailable(reason) => self.end(Status::Unavailable, reason),
+            NoPicture::Failed(reason) => self.end(Status::Failed, reason),
+        }
     }
 
     pub(super) fn end(&mut self, status: Status, reason: String) {

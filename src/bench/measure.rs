@@ -1,27 +1,19 @@
 //! Measuring the methods of one scene, interleaved: at each camera position every method draws one
 //! frame, in an order shuffled anew, so that a drift of the machine hits all alike.
 
+use super::Watched;
 use super::cell::CellRun;
-use crate::frame::{FrameResources, GBUFFER_STAGE, SHADE_STAGE};
-use crate::gpu::{FrameTimer, FrameTimes, Gpu};
-use crate::judge::Observer;
+use super::executor::{Session, sequence};
+use crate::frame::{GBUFFER_STAGE, SHADE_STAGE};
+use crate::gpu::FrameTimes;
+use crate::judge::NoPicture;
+use crate::record::RunDirError;
 use crate::record::run_dir::RunDir;
-use crate::record::{RunDirError, in_one_line};
-use crate::scene::Scene;
+use crate::scene::Flight;
 use rand::SeedableRng;
 use rand::seq::SliceRandom;
 use rand_chacha::ChaCha8Rng;
-
-/// How to measure.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Schedule {
-    /// Frames of each method, evenly spaced along the flight.
-    pub frames: u32,
-    /// Rounds over all methods before the first measured one, at the start of the flight.
-    pub warmup_frames: u32,
-    /// Seed of the order of the methods.
-    pub seed: u64,
-}
+use std::collections::VecDeque;
 
 /// A frame that was measured.
 pub(super) struct Measured {
@@ -53,38 +45,36 @@ struct Tag {
     warmup: bool,
 }
 
-/// Flies along the scene's flight, each cell that is ready on its stage, and keeps every measured frame, frames
+/// Flies along the scene's flight with each cell that is ready, and keeps every measured frame, frames
 /// later. A cell that breaks ends; where the device is lost, all ends. Frames that were measured already, on a
 /// device that was lost, are not measured again.
 pub(super) fn measure(
-    gpu: &Gpu,
-    scene: &Scene,
-    stages: &[FrameResources],
+    watched: Watched<'_>,
+    flight: &Flight,
+    session: &mut dyn Session,
     cells: &mut [CellRun<'_>],
-    schedule: Schedule,
-    (observer, dir): (&dyn Observer, &mut RunDir),
+    dir: &mut RunDir,
 ) -> Result<(), RunDirError> {
-    let mut flight = Flight {
-        gpu,
+    let plan = watched.plan;
+    let mut shuffle = ChaCha8Rng::seed_from_u64(plan.seed);
+    let ready = |(i, run): (usize, &CellRun<'_>)| run.is_ready().then_some(i);
+    let mut order: Vec<usize> = cells.iter().enumerate().filter_map(ready).collect();
+    let mut frames = Frames {
+        session,
         cells,
-        timer: FrameTimer::new(gpu),
+        under_way: VecDeque::new(),
         dir,
     };
-    let mut shuffle = ChaCha8Rng::seed_from_u64(schedule.seed);
-    let ready = |(i, run): (usize, &CellRun<'_>)| run.prepared().map(|_| i);
-    let mut order: Vec<usize> = flight.cells.iter().enumerate().filter_map(ready).collect();
     let mut drawn = 0;
-    for (frame, time_s, warmup) in rounds(scene, schedule) {
-        let moment = scene.flight.at(time_s);
-        for stage in stages {
-            stage.set_view(gpu, &moment);
-        }
+    let times_s = flight.frame_times(plan.frames as usize);
+    for (frame, time_s, warmup) in rounds(&times_s, plan.warmup_frames) {
+        let times_s = sequence(time_s, plan.lead_in);
         order.shuffle(&mut shuffle);
         for &cell in &order {
-            if observer.interrupted() {
+            if watched.observer.interrupted() {
                 break;
             }
-            if !warmup && flight.cells[cell].has_sample(frame) {
+            if !warmup && frames.cells[cell].has_sample(frame) {
                 continue;
             }
             let tag = Tag {
@@ -95,71 +85,87 @@ pub(super) fn measure(
                 warmup,
             };
             drawn += 1;
-            flight.draw(&stages[flight.cells[cell].stage], tag)?;
-            if gpu.lost().is_some() {
+            frames.draw(&times_s, tag)?;
+            if frames.session.lost().is_some() {
                 return Ok(());
             }
-            observer.advance(1);
+            watched.observer.advance(1);
         }
     }
-    flight.finish()
+    frames.finish()
 }
 
 /// Number and time of each round of frames, and whether it only warms up.
-fn rounds(scene: &Scene, schedule: Schedule) -> impl Iterator<Item = (u32, f64, bool)> {
-    let times_s = scene.flight.frame_times(schedule.frames as usize);
+fn rounds(times_s: &[f64], warmup_frames: u32) -> impl Iterator<Item = (u32, f64, bool)> {
     let start_s = times_s.first().copied().unwrap_or(0.0);
-    let warmup = std::iter::repeat_n((0, start_s, true), schedule.warmup_frames as usize);
+    let warmup = std::iter::repeat_n((0, start_s, true), warmup_frames as usize);
     let measured = (0..).zip(times_s);
-    warmup.chain(measured.map(|(frame, time_s)| (frame, time_s, false)))
+    warmup.chain(measured.map(|(frame, time_s)| (frame, *time_s, false)))
 }
 
 /// The frames of a scene's cells, some of them under way.
-struct Flight<'a, 'b> {
-    gpu: &'a Gpu,
+struct Frames<'a, 'b> {
+    session: &'a mut dyn Session,
     cells: &'a mut [CellRun<'b>],
-    timer: FrameTimer<Tag>,
+    /// Those that were drawn and not waited for yet, the oldest first.
+    under_way: VecDeque<Tag>,
     dir: &'a mut RunDir,
 }
 
-impl Flight<'_, '_> {
+impl Frames<'_, '_> {
     /// Draws one frame, unless its cell has broken before.
-    fn draw(&mut self, stage: &FrameResources, tag: Tag) -> Result<(), RunDirError> {
+    fn draw(&mut self, times_s: &[f64], tag: Tag) -> Result<(), RunDirError> {
         // First, lest what has come to its end gets lost if this frame breaks.
-        match self.timer.make_room(self.gpu) {
-            Ok(done) => done.map_or(Ok(()), |done| self.keep(done))?,
-            Err(error) => {
-                self.end(tag, &error);
-                return Ok(());
-            }
+        if self.under_way.len() >= self.session.frames_in_flight() {
+            self.wait_for_oldest()?;
         }
-        let Some(prepared) = self.cells[tag.cell].prepared_mut() else {
+        let run = &mut self.cells[tag.cell];
+        if !run.is_ready() || self.session.lost().is_some() {
             return Ok(());
-        };
-        let drawn = self
-            .timer
-            .frame(self.gpu, tag, |recorder| stage.record(recorder, prepared));
-        if let Err(error) = drawn {
-            self.end(tag, &error);
+        }
+        let (session, under_way) = (&mut *self.session, &mut self.under_way);
+        let drawn = run.time.spend(|deadline| {
+            session.draw(tag.cell, times_s, deadline)?;
+            // Also if it took too long: it will come to its end.
+            under_way.push_back(tag);
+            Ok(())
+        });
+        match drawn {
+            Ok(()) => {}
+            // A device is lost by the first frame that did not come to its end, which may be an earlier one.
+            Err(error) => match self.session.lost() {
+                Some(_) => self.end(*self.under_way.front().unwrap_or(&tag), error),
+                None => self.end(tag, error),
+            },
         }
         Ok(())
     }
 
     /// Waits for what is under way.
     fn finish(mut self) -> Result<(), RunDirError> {
-        while let Some(tag) = self.timer.under_way().copied() {
-            match self.timer.finish_one(self.gpu) {
-                Ok(done) => done.map_or(Ok(()), |done| self.keep(done))?,
-                Err(error) => {
-                    self.end(tag, &error);
-                    break;
-                }
-            }
+        while !self.under_way.is_empty() && self.session.lost().is_none() {
+            self.wait_for_oldest()?;
         }
         Ok(())
     }
 
-    fn keep(&mut self, (tag, times): (Tag, FrameTimes)) -> Result<(), RunDirError> {
+    /// Waits for the oldest frame, and keeps it. Frames come to their end in order.
+    fn wait_for_oldest(&mut self) -> Result<(), RunDirError> {
+        let Some(tag) = self.under_way.pop_front() else {
+            return Ok(());
+        };
+        let session = &mut *self.session;
+        let time = &mut self.cells[tag.cell].time;
+        match time.spend(|deadline| session.wait_for_oldest(deadline)) {
+            Ok(times) => self.keep(tag, times),
+            Err(error) => {
+                self.end(tag, error);
+                Ok(())
+            }
+        }
+    }
+
+    fn keep(&mut self, tag: Tag, times: FrameTimes) -> Result<(), RunDirError> {
         let run = &mut self.cells[tag.cell];
         if tag.warmup || !run.is_open() {
             return Ok(());
@@ -176,19 +182,9 @@ impl Flight<'_, '_> {
         Ok(())
     }
 
-    /// Ends the cell whose frame broke. Frames come to their end in order: a device is lost by the first that
-    /// did not.
-    fn end(&mut self, drawing: Tag, error: &anyhow::Error) {
-        let tag = match self.gpu.lost() {
-            Some(_) => self.timer.under_way().copied().unwrap_or(drawing),
-            None => drawing,
-        };
-        let reason = format!(
-            "frame {} at {:.1} s of the flight: {}",
-            tag.frame,
-            tag.time_s,
-            in_one_line(error)
-        );
-        self.cells[tag.cell].fail(&reason);
+    /// Ends the cell whose frame broke.
+    fn end(&mut self, tag: Tag, error: NoPicture) {
+        let place = format!("frame {} at {:.1} s of the flight", tag.frame, tag.time_s);
+        self.cells[tag.cell].refuse(error.at(&place));
     }
 }

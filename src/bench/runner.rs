@@ -1,5 +1,8 @@
 //! A whole run, scene after scene.
 
+use super::Watched;
+use super::executor::Executor;
+use super::on_gpu::OnGpu;
 use super::scene_run::{SceneOutcome, run_scene};
 use crate::config::RunPlan;
 use crate::gpu::{Gpu, shader};
@@ -61,7 +64,16 @@ pub fn run(request: &RunRequest<'_>) -> anyhow::Result<RunOutcome> {
         .observer
         .begin(request.plan.steps_per_scene() * request.plan.scenes.len() as u64);
     let mut summaries = Vec::new();
-    let done = run_scenes(request, &mut dir, &mut info, &mut summaries);
+    let mut device = OnGpu {
+        gpu: request.gpu.clone(),
+        plan: request.plan,
+        cache: request.cache,
+    };
+    let watched = Watched {
+        plan: request.plan,
+        observer: request.observer,
+    };
+    let done = run_scenes(watched, &mut device, &mut dir, &mut info, &mut summaries);
     if let Err(error) = done {
         info.status = RunStatus::Failed;
         // What failed first is what is told; the rest is kept as far as it can be.
@@ -80,21 +92,22 @@ pub fn run(request: &RunRequest<'_>) -> anyhow::Result<RunOutcome> {
 }
 
 /// Runs the scenes and closes the run, unless a file cannot be written.
-fn run_scenes(
-    request: &RunRequest<'_>,
+pub(super) fn run_scenes(
+    watched: Watched<'_>,
+    executor: &mut dyn Executor,
     dir: &mut RunDir,
     info: &mut RunInfo,
     summaries: &mut Vec<Summary>,
 ) -> anyhow::Result<()> {
-    let mut gpu = request.gpu.clone();
-    for plan in &request.plan.scenes {
-        if request.observer.interrupted() {
+    let Watched { plan, observer } = watched;
+    for scene in &plan.scenes {
+        if observer.interrupted() {
             break;
         }
-        let outcome = run_scene(request, &mut gpu, plan, dir);
+        let outcome = run_scene(watched, executor, scene, dir);
         let in_scene = |error: RunDirError| {
-            let scene = format!("scene `{}`", plan.file.name);
-            error.into_inner().context(scene)
+            let place = format!("scene `{}`", scene.file.name);
+            error.into_inner().context(place)
         };
         let SceneOutcome {
             record,
@@ -111,7 +124,7 @@ fn run_scenes(
             .and_then(|()| dir.write_info(info))
             .map_err(in_scene)?;
     }
-    info.status = match request.observer.interrupted() {
+    info.status = match observer.interrupted() {
         true => RunStatus::Interrupted,
         false => RunStatus::Complete,
     };
@@ -154,6 +167,7 @@ fn info(request: &RunRequest<'_>) -> RunInfo {
         height: plan.size_px.1,
         frames: plan.frames,
         warmup_frames: plan.warmup_frames,
+        lead_in: plan.lead_in,
         verified_frames: plan.verified_frames(),
         scenes: Vec::new(),
         methods: Vec::new(),

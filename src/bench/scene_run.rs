@@ -1,23 +1,20 @@
-//! One scene of a run: prepare every method, verify, measure, sum up.
+//! One scene of a run: find biases, prepare every method, verify, measure, sum up.
 
+use super::Watched;
 use super::cell::{CellRun, name_cell};
-use super::fault::Broken;
-use super::measure::{Schedule, measure};
-use super::preparation::Preparation;
+use super::executor::{Executor, Session, sequence};
+use super::measure::measure;
+use super::prepare::{find_biases, prepare};
 use super::verify_cells::verify_cells;
-use super::{RunRequest, bias_search};
-use crate::config::{MethodPlan, ScenePlan};
-use crate::frame::{FrameResources, SceneBuffers};
-use crate::gpu::Gpu;
-use crate::judge::Verifier;
-use crate::methods::PrepareContext;
+use crate::config::{MethodPlan, RunPlan, ScenePlan};
+use crate::judge::NoPicture;
 use crate::metrics;
 use crate::record::run_dir::RunDir;
-use crate::record::{EdgeRecord, MethodRecord, SceneRecord, Status, Summary};
-use crate::record::{RunDirError, in_one_line};
+use crate::record::{
+    EdgeRecord, MethodRecord, RunDirError, SceneRecord, Status, Summary, in_one_line,
+};
 use crate::scene::file::MeshSource;
 use crate::scene::{FrameError, Scene, SceneError};
-use anyhow::Context;
 
 /// What a scene's part of the run came to.
 pub(super) struct SceneOutcome {
@@ -27,44 +24,43 @@ pub(super) struct SceneOutcome {
     pub warnings: Vec<String>,
 }
 
-/// Runs one scene on `gpu`, which is opened again where it is lost. What concerns the scene or one of its
-/// cells becomes their status; only what concerns the run directory is an error.
+/// Runs one scene. What concerns the scene or one of its cells becomes their status; only what concerns the run
+/// directory is an error.
 pub(super) fn run_scene(
-    request: &RunRequest<'_>,
-    gpu: &mut Gpu,
-    plan: &ScenePlan,
+    watched: Watched<'_>,
+    executor: &mut dyn Executor,
+    scene: &ScenePlan,
     dir: &mut RunDir,
 ) -> Result<SceneOutcome, RunDirError> {
-    request
-        .observer
-        .phase(&format!("{}: loading", plan.file.name));
-    let scene = match load(gpu, plan) {
-        Ok(scene) => scene,
+    let Watched { plan, observer } = watched;
+    observer.phase(&format!("{}: loading", scene.file.name));
+    let loaded = match load(executor, scene) {
+        Ok(loaded) => loaded,
         Err(error) => {
-            request.observer.advance(request.plan.steps_per_scene());
-            return Ok(not_loaded(request, plan, &error));
+            observer.advance(plan.steps_per_scene());
+            return Ok(not_loaded(plan, scene, &error));
         }
     };
-    let mut run = SceneRun::new(request, &scene);
-    match check_views(request, &scene) {
-        Ok(()) => run.on_devices(gpu, dir)?,
+    let mut run = SceneRun::new(watched, &loaded);
+    match check_views(plan, &loaded) {
+        Ok(()) => run.on_devices(executor, dir)?,
         Err(error) => {
-            request.observer.advance(request.plan.steps_per_scene());
-            run.fail(&error.into());
+            observer.advance(plan.steps_per_scene());
+            run.fail(&in_one_line(&error.into()));
         }
     }
     Ok(run.outcome())
 }
 
-fn load(gpu: &Gpu, plan: &ScenePlan) -> anyhow::Result<Scene> {
+fn load(executor: &dyn Executor, plan: &ScenePlan) -> anyhow::Result<Scene> {
     // A grid that the device cannot take need not be built first.
     if let MeshSource::SphereGrid(grid) = &plan.file.mesh {
-        SceneBuffers::check(gpu, grid.triangle_count())?;
+        executor.check_mesh(grid.triangle_count())?;
     }
     Ok(plan.file.load(&plan.search)?)
 }
 
-fn not_loaded(request: &RunRequest<'_>, plan: &ScenePlan, error: &anyhow::Error) -> SceneOutcome {
+fn not_loaded(run: &RunPlan, plan: &ScenePlan, error: &anyhow::Error) -> SceneOutcome {
     let status = match error.downcast_ref() {
         Some(SceneError::MissingModel { .. }) => Status::Skipped,
         _ => Status::Failed,
@@ -72,12 +68,11 @@ fn not_loaded(request: &RunRequest<'_>, plan: &ScenePlan, error: &anyhow::Error)
     // With its causes: a scene's own error may not say which line of its model is at fault.
     let reason = in_one_line(error);
     let summary = |method: &MethodPlan| {
-        let size_px = request.plan.size_px;
-        let cell = name_cell(&plan.file.name, method.method.as_ref(), size_px);
+        let cell = name_cell(&plan.file.name, method.method.as_ref(), run.size_px);
         Summary::from_samples(&cell, &[], &[], status, &reason)
     };
     SceneOutcome {
-        summaries: request.plan.methods.iter().map(summary).collect(),
+        summaries: run.methods.iter().map(summary).collect(),
         record: SceneRecord {
             name: plan.file.name.clone(),
             title: plan.file.title.clone(),
@@ -98,23 +93,23 @@ fn not_loaded(request: &RunRequest<'_>, plan: &ScenePlan, error: &anyhow::Error)
 
 /// Looks at every view of the flight that the run will draw: nothing is measured of a flight that has frames
 /// without a picture.
-fn check_views(request: &RunRequest<'_>, scene: &Scene) -> Result<(), FrameError> {
-    let (plan, flight) = (request.plan, &scene.flight);
+fn check_views(plan: &RunPlan, scene: &Scene) -> Result<(), FrameError> {
+    let flight = &scene.flight;
     let measured_s = flight.frame_times(plan.frames as usize);
-    let mut verified_s = plan.verified_times(flight);
-    if plan
-        .methods
-        .iter()
-        .any(|plan| plan.method.bias_search().is_some())
-    {
-        verified_s.extend(bias_search::times(plan, flight));
+    let mut times_s = plan.verified_times(flight);
+    times_s.extend(measured_s);
+    let lead_in = |s: &f64| sequence(*s, plan.lead_in);
+    times_s = times_s.iter().flat_map(lead_in).collect();
+    let mut methods = plan.methods.iter();
+    if methods.any(|plan| plan.method.bias_search().is_some()) {
+        times_s.extend(plan.bias_times(flight));
     }
-    flight.check_times(measured_s.into_iter().chain(verified_s))
+    flight.check_times(times_s.into_iter())
 }
 
 /// A scene that is being run.
 struct SceneRun<'a> {
-    request: &'a RunRequest<'a>,
+    watched: Watched<'a>,
     scene: &'a Scene,
     cells: Vec<CellRun<'a>>,
     edges: Option<EdgeRecord>,
@@ -124,12 +119,13 @@ struct SceneRun<'a> {
 }
 
 impl<'a> SceneRun<'a> {
-    fn new(request: &'a RunRequest<'a>, scene: &'a Scene) -> Self {
-        let cell = |plan| CellRun::new(plan, scene, request.plan.size_px);
+    fn new(watched: Watched<'a>, scene: &'a Scene) -> Self {
+        let plan = watched.plan;
+        let cell = |method| CellRun::new(plan, method, scene);
         Self {
-            request,
+            watched,
             scene,
-            cells: request.plan.methods.iter().map(cell).collect(),
+            cells: plan.methods.iter().map(cell).collect(),
             edges: None,
             failure: None,
             warnings: Vec::new(),
@@ -138,25 +134,25 @@ impl<'a> SceneRun<'a> {
 
     /// Runs what is left to do, on one device after another: where one is lost, the cell that lost it has
     /// failed, and the others go on.
-    fn on_devices(&mut self, gpu: &mut Gpu, dir: &mut RunDir) -> Result<(), RunDirError> {
+    fn on_devices(
+        &mut self,
+        executor: &mut dyn Executor,
+        dir: &mut RunDir,
+    ) -> Result<(), RunDirError> {
         loop {
-            if let Some(loss) = gpu.lost() {
-                match gpu.reopen() {
-                    Ok(opened) => *gpu = opened,
-                    Err(error) => {
-                        let error = anyhow::Error::new(error);
-                        self.fail(&error.context(format!("{loss}, and cannot be opened again")));
-                        return Ok(());
-                    }
+            let mut session = match executor.open(self.scene) {
+                Ok(session) => session,
+                Err(error) => {
+                    self.fail(&in_one_line(&error));
+                    return Ok(());
                 }
-            }
+            };
             let open = self.open_cells();
-            match self.on_device(gpu, dir) {
-                Ok(()) => {}
-                Err(Broken::Run(error)) => return Err(error),
-                Err(Broken::Scene(error)) => self.fail(&error),
-            }
-            let Some(loss) = gpu.lost() else {
+            let done = self.on_device(session.as_mut(), dir);
+            let loss = session.lost();
+            session.close();
+            done?;
+            let Some(loss) = loss else {
                 return Ok(());
             };
             self.warnings
@@ -164,7 +160,7 @@ impl<'a> SceneRun<'a> {
             self.cells.iter_mut().for_each(CellRun::forget_device);
             // Without an end to blame on a cell, this would go on for ever.
             if self.open_cells() == open {
-                self.fail(&loss.into());
+                self.fail(&loss);
             }
             if self.open_cells() == 0 {
                 return Ok(());
@@ -177,71 +173,34 @@ impl<'a> SceneRun<'a> {
     }
 
     /// Ends all that has not ended yet.
-    fn fail(&mut self, error: &anyhow::Error) {
-        let reason = in_one_line(error);
+    fn fail(&mut self, reason: &str) {
         for run in self.cells.iter_mut().filter(|run| run.is_open()) {
-            run.fail(&reason);
+            run.refuse(NoPicture::Failed(reason.to_owned()));
         }
-        self.failure = Some(reason);
+        self.failure = Some(reason.to_owned());
     }
 
     /// Runs what is left to do until that is done, or the device is lost.
-    fn on_device(&mut self, gpu: &Gpu, dir: &mut RunDir) -> Result<(), Broken> {
-        let (request, scene) = (self.request, self.scene);
-        let verified = request.plan.verified_frames() > 0;
-        let open = || self.cells.iter().filter(|run| run.is_open());
-        let setups = open().map(|run| run.plan.method.depth_setup());
-        let stages = FrameResources::for_setups(gpu, scene, request.plan.size_px, setups)
-            .context("the scene cannot be drawn")?;
-        let context = PrepareContext::new(gpu, scene, &stages[0]);
-        let searched = open().any(|run| run.plan.method.bias_search().is_some());
-        let verifiers: Vec<Verifier<'_>> = if verified || searched {
-            let first = Verifier::new(gpu, scene, &stages[0], request.cache)?;
-            stages.iter().map(|stage| first.on(stage)).collect()
-        } else {
-            Vec::new()
-        };
-        let mut preparation = Preparation {
-            request,
-            context: &context,
-            stages: &stages,
-            verifiers: &verifiers,
-            truths: vec![None; stages.len()],
-            dir,
-        };
-        for run in self.cells.iter_mut().filter(|run| run.is_open()) {
-            preparation.prepare(run)?;
-            if gpu.lost().is_some() {
-                return Ok(());
-            }
-        }
-        self.edges = self.edges.or_else(|| edges(&context));
-        if verified {
-            verify_cells(request, gpu, scene, &verifiers, &mut self.cells, dir)?;
-        }
-        if gpu.lost().is_none() {
-            request
-                .observer
-                .phase(&format!("{}: measuring", scene.name));
-            let schedule = Schedule {
-                frames: request.plan.frames,
-                warmup_frames: request.plan.warmup_frames,
-                seed: request.plan.seed,
-            };
-            measure(
-                gpu,
-                scene,
-                &stages,
-                &mut self.cells,
-                schedule,
-                (request.observer, dir),
-            )?;
+    fn on_device(
+        &mut self,
+        session: &mut dyn Session,
+        dir: &mut RunDir,
+    ) -> Result<(), RunDirError> {
+        let (watched, scene, cells) = (self.watched, self.scene, &mut self.cells);
+        find_biases(watched, session, cells, dir)?;
+        prepare(watched, session, cells);
+        self.edges = self.edges.or_else(|| session.edges());
+        verify_cells(watched, scene, session, cells, dir)?;
+        if session.lost().is_none() {
+            let text = format!("{}: measuring", scene.name);
+            watched.observer.phase(&text);
+            measure(watched, &scene.flight, session, cells, dir)?;
         }
         Ok(())
     }
 
     fn outcome(self) -> SceneOutcome {
-        let verified = self.request.plan.verified_frames() > 0;
+        let verified = self.watched.plan.verified_frames() > 0;
         let notes = self.scene.notes.iter();
         let notes = notes.map(|note| format!("{}: {note}", self.scene.name));
         let mut warnings: Vec<_> = notes.chain(self.warnings).collect();
@@ -261,17 +220,6 @@ impl<'a> SceneRun<'a> {
             warnings,
         }
     }
-}
-
-fn edges(context: &PrepareContext<'_>) -> Option<EdgeRecord> {
-    context.topology_if_built().map(|topology| {
-        let counts = topology.counts();
-        EdgeRecord {
-            boundary: counts.boundary as u64,
-            manifold: counts.manifold as u64,
-            non_manifold: counts.non_manifold as u64,
-        }
-    })
 }
 
 fn scene_record(scene: &Scene, edges: Option<EdgeRecord>, failure: Option<String>) -> SceneRecord {

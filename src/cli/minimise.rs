@@ -188,7 +188,7 @@ fn attempt(
     scene: &Scene,
     methods: &[Box<dyn ShadowMethod>; 1],
 ) -> anyhow::Result<Attempt> {
-    let attempts = judge.judge(scene, methods).attempts;
+    let attempts = judge.trial(scene, methods).attempts;
     let attempt = attempts.into_iter().next();
     match attempt.context("a method has an attempt")? {
         Attempt::Missing(NoPicture::Failed(reason)) => {

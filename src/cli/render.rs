@@ -3,10 +3,9 @@
 use super::shot::{ShotArgs, kinds_of_error, wrong_pixels};
 use super::{DeviceArgs, check_size, outputs, reference_cache, values};
 use crate::console;
-use crate::frame::FrameResources;
 use crate::gpu::{FrameTimer, FrameTimes};
-use crate::judge::Verifier;
-use crate::methods::{self, MethodError, PrepareContext, Registry};
+use crate::judge::{DeviceScene, Verifier};
+use crate::methods::Registry;
 use crate::metrics::MaskError;
 use crate::record::Image;
 use crate::variant::Variant;
@@ -95,20 +94,17 @@ pub(super) fn execute(args: &RenderArgs, registry: &Registry) -> anyhow::Result<
     let (width, height) = args.size;
     check_size(&gpu, args.size, "--size")?;
     let info = method.info();
-    info.check(&gpu).map_err(MethodError::Unavailable)?;
-    let depth = method.depth_setup();
-    depth.check(&gpu).map_err(MethodError::Unavailable)?;
-    let stage = FrameResources::new(&gpu, &scene, width, height)?.with_depth(&gpu, depth)?;
-    let context = PrepareContext::new(&gpu, &scene, &stage);
-    let mut prepared = methods::prepare(method.as_ref(), &context)
-        .with_context(|| format!("method `{}`", info.id))?;
+    let device = DeviceScene::new(&gpu, &scene, args.size)?;
+    let prepared = device.prepare(method.as_ref());
+    let prepared = prepared.with_context(|| format!("method `{}`", info.id))?;
+    let (mut prepared, stage) = (prepared.method, prepared.resources);
 
     let cache = reference_cache()?;
     let verifier = Verifier::new(&gpu, &scene, &stage, &cache)?;
     let truth = verifier.truth(&moment)?;
     let mask = verifier.draw_mask(prepared.as_mut(), &truth)?;
     let picture = verifier.read_picture()?;
-    let judgement = verifier.judge(&mask, &truth, prepared.as_ref())?;
+    let judgement = verifier.compare(&mask, &truth, prepared.as_ref())?;
     let write = |path: &Option<PathBuf>, image: Image<'_>| {
         path.as_ref().map_or(Ok(()), |path| image.write_png(path))
     };
@@ -122,6 +118,7 @@ pub(super) fn execute(args: &RenderArgs, registry: &Registry) -> anyhow::Result<
 
     // The frame above was this method's first; the times are those of a second one.
     let mut timer = FrameTimer::new(&gpu);
+    prepared.begin();
     timer.frame(&gpu, (), |frame| stage.record(frame, prepared.as_mut()))?;
     let times = timer.finish(&gpu)?.pop().map(|((), times)| times);
     let times = times.context("the frame's times got lost")?;

@@ -13,6 +13,7 @@ pub use scene_lookup::{builtin_scenes, find_scene};
 use crate::methods::ShadowMethod;
 use crate::scene::{Flight, ModelSearch, SceneFile};
 use crate::variant::Variant;
+use std::time::Duration;
 
 /// Why a configuration cannot be run. The message names file and place.
 #[derive(Debug, thiserror::Error)]
@@ -77,6 +78,10 @@ pub struct RunPlan {
     pub frames: u32,
     /// Frames of each cell drawn before measuring.
     pub warmup_frames: u32,
+    /// Frames drawn before each measured and each verified one, one of 60 a second.
+    pub lead_in: u32,
+    /// How long the run may work on one cell; `None` for as long as it takes.
+    pub cell_timeout: Option<Duration>,
     /// What of each cell is compared with the truth.
     pub verification: Verification,
     /// Seed of the order in which methods are measured.
@@ -92,6 +97,9 @@ pub struct RunPlan {
     /// The scale that was chosen; `full` for the configuration's own numbers.
     pub scale: String,
 }
+
+/// Views at which a run that verifies nothing tries biases.
+const BIAS_VIEWS: usize = 3;
 
 impl RunPlan {
     /// Frames drawn for one cell.
@@ -110,6 +118,19 @@ impl RunPlan {
             VerifiedFrames::Spread(count) => count,
             VerifiedFrames::Every(step) => self.frames.div_ceil(step),
         }
+    }
+
+    /// When on the flight biases are tried: midway between the verified frames, lest a map be fitted to the very
+    /// frames that it is judged by.
+    pub fn bias_times(&self, flight: &Flight) -> Vec<f64> {
+        let mut verified_s = self.verified_times(flight);
+        if verified_s.is_empty() {
+            verified_s = flight.frame_times(BIAS_VIEWS);
+        }
+        let next_s = verified_s.iter().skip(1).copied();
+        let next_s = next_s.chain([flight.duration_s()]);
+        let pairs = verified_s.iter().zip(next_s);
+        pairs.map(|(a, b)| (a + b) / 2.0).collect()
     }
 
     /// When on the flight the frames are that are compared with the truth.

@@ -13,11 +13,16 @@ use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::io::ErrorKind;
 use std::path::Path;
+use std::time::Duration;
 use toml::Spanned;
 use toml::de::{DeTable, Deserializer};
 
 /// Largest number of frames or rounds; more is a slip of the finger.
 const MAX_FRAMES: u32 = 1_000_000;
+/// Most frames that lead in to one: ten seconds.
+const MAX_LEAD_IN: u32 = 600;
+/// Most seconds that a cell may be given: a week.
+const MAX_TIMEOUT_S: f64 = 604_800.0;
 /// Largest picture side that any device can draw.
 const MAX_PIXELS: u32 = 1 << 16;
 
@@ -32,6 +37,10 @@ struct Wire {
     frames: Spanned<u32>,
     #[serde(default = "default_warmup")]
     warmup_frames: Spanned<u32>,
+    #[serde(default = "default_lead_in")]
+    lead_in: Spanned<u32>,
+    #[serde(default = "default_cell_timeout")]
+    cell_timeout_s: Spanned<f64>,
     verified_frames: Option<Spanned<u32>>,
     verify_every: Option<Spanned<u32>>,
     #[serde(default)]
@@ -128,6 +137,14 @@ fn default_warmup() -> Spanned<u32> {
     Spanned::new(0..0, 2)
 }
 
+fn default_lead_in() -> Spanned<u32> {
+    Spanned::new(0..0, 0)
+}
+
+fn default_cell_timeout() -> Spanned<f64> {
+    Spanned::new(0..0, 3600.0)
+}
+
 /// Frames compared with the truth, unless told otherwise.
 const VERIFIED_FRAMES: u32 = 2;
 
@@ -217,6 +234,8 @@ fn parse(text: &str, base: &Path, scale: &str, registry: &Registry) -> Result<Ru
         size_px: (width, height),
         frames: in_range(&wire.frames, "frames", 1, MAX_FRAMES)?,
         warmup_frames: in_range(&wire.warmup_frames, "warmup_frames", 0, MAX_FRAMES)?,
+        lead_in: in_range(&wire.lead_in, "lead_in", 0, MAX_LEAD_IN)?,
+        cell_timeout: cell_timeout(&wire.cell_timeout_s)?,
         verification: Verification {
             frames: verified_frames,
             flicker: wire.flicker,
@@ -238,6 +257,17 @@ fn in_range(what: &Spanned<u32>, name: &str, least: u32, most: u32) -> Result<u3
     }
     let message = format!("`{name}` is {value}; it must be from {least} to {most}");
     Err(Misplaced::new(what.span(), message))
+}
+
+/// The time that a cell has; 0 for no limit.
+fn cell_timeout(seconds: &Spanned<f64>) -> Result<Option<Duration>, Misplaced> {
+    let value = *seconds.get_ref();
+    if (0.0..=MAX_TIMEOUT_S).contains(&value) {
+        return Ok((value > 0.0).then(|| Duration::from_secs_f64(value)));
+    }
+    let message =
+        format!("`cell_timeout_s` is {value}; it must be from 0 (no limit) to {MAX_TIMEOUT_S}");
+    Err(Misplaced::new(seconds.span(), message))
 }
 
 fn verified_frames(wire: &Wire) -> Result<VerifiedFrames, Misplaced> {

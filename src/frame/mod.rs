@@ -75,28 +75,6 @@ impl FrameResources {
         )
     }
 
-    /// A stage for each of the setups that the device can draw with (see [`DepthSetup::check`]), each once;
-    /// the first is the usual one.
-    ///
-    /// # Errors
-    /// When the device cannot hold them.
-    pub fn for_setups(
-        gpu: &Gpu,
-        scene: &Scene,
-        (width, height): (u32, u32),
-        setups: impl IntoIterator<Item = DepthSetup>,
-    ) -> Result<Vec<Self>, DeviceError> {
-        let mut stages = vec![Self::new(gpu, scene, width, height)?];
-        for setup in setups {
-            let is_known = stages.iter().any(|stage| stage.depth == setup);
-            if !is_known && setup.check(gpu).is_ok() {
-                let stage = stages[0].with_depth(gpu, setup)?;
-                stages.push(stage);
-            }
-        }
-        Ok(stages)
-    }
-
     /// The same scene and size with another depth buffer, which the device can draw with (see
     /// [`DepthSetup::check`]).
     ///

@@ -3,12 +3,13 @@
 use super::adapter::{adapters, choose, unsuitable};
 use super::capability::Capability;
 use super::error::GpuError;
-use super::fault::{DeviceError, Faults, poll};
+use super::fault::{DeviceError, Faults, PollFault, poll};
 use super::native;
 use super::uploads::Uploads;
 use crate::memory;
 use std::collections::BTreeSet;
 use std::sync::Arc;
+use std::time::{Duration, Instant};
 
 /// What the caller wants of the device.
 #[derive(Debug, Clone, Default)]
@@ -49,6 +50,9 @@ pub(super) struct MemoryLimits {
 /// Every run times its stages.
 pub(super) const REQUIRED: wgpu::Features =
     wgpu::Features::TIMESTAMP_QUERY.union(wgpu::Features::TIMESTAMP_QUERY_INSIDE_ENCODERS);
+
+/// The device is waited for so long at least, however late it is: what it was given late deserves a chance.
+const LEAST_WAIT: Duration = Duration::from_secs(2);
 
 impl Gpu {
     /// Opens an adapter: the one named in `options`, else a discrete GPU before an integrated one
@@ -142,7 +146,56 @@ impl Gpu {
     /// Waits until all submitted work is done.
     pub fn wait_idle(&self) {
         // A lost device ends the wait as well; the next attempt will say so.
-        let _ = poll(&self.device, wgpu::PollType::wait_indefinitely());
+        let _ = self.poll(wgpu::PollType::wait_indefinitely());
+    }
+
+    /// Waits as `how` says, yet not beyond the deadline of [`Self::until`].
+    ///
+    /// # Errors
+    /// When the device is lost, or is given up because it is late.
+    pub(super) fn poll(&self, how: wgpu::PollType) -> Result<(), DeviceError> {
+        if let Some(lost) = self.lost().filter(|_| self.hangs()) {
+            return Err(lost);
+        }
+        let how = match (how, self.faults.deadline()) {
+            (
+                wgpu::PollType::Wait {
+                    submission_index, ..
+                },
+                Some(deadline),
+            ) => wgpu::PollType::Wait {
+                submission_index,
+                timeout: Some(
+                    deadline
+                        .saturating_duration_since(Instant::now())
+                        .max(LEAST_WAIT),
+                ),
+            },
+            (how, _) => how,
+        };
+        poll(&self.device, how).map_err(|fault| match fault {
+            PollFault::Lost(text) => DeviceError::Lost(text),
+            PollFault::Late => {
+                // To close it would be to wait for it.
+                std::mem::forget(self.clone());
+                self.faults.hang()
+            }
+        })
+    }
+
+    /// Does `work`, in which the device is waited for until `deadline` and no longer: then it is given up, as if it
+    /// were lost. Nothing can stop what it is doing; see [`Self::hangs`].
+    pub fn until<T>(&self, deadline: Option<Instant>, work: impl FnOnce() -> T) -> T {
+        let before = self.faults.replace_deadline(deadline);
+        let result = work();
+        self.faults.replace_deadline(before);
+        result
+    }
+
+    /// Whether the device was given up because it was late. It may still use what was made on it, so that none of
+    /// it may be dropped.
+    pub fn hangs(&self) -> bool {
+        self.faults.hangs()
     }
 
     /// Does `work`. What the device has against any part of it is the error, rather than what followed from
@@ -163,9 +216,9 @@ impl Gpu {
             return result;
         }
         // The device may be gone and not have said so yet.
-        let polled = poll(&self.device, wgpu::PollType::Poll);
+        let polled = self.poll(wgpu::PollType::Poll);
         let lost = self.lost();
-        if lost.is_some() {
+        if lost.is_some() && !self.hangs() {
             native::settle(&self.device);
         }
         match lost.or(fault).or(polled.err()) {

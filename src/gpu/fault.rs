@@ -3,10 +3,10 @@
 //! wgpu tells of most errors by a callback whose default is a panic, and of a lost device by another. Both are
 //! noted here, and [`super::Gpu::attempt`] hands them to the caller whose work was under way.
 
-use std::any::Any;
-use std::cell::Cell;
-use std::panic::{self, AssertUnwindSafe};
-use std::sync::{Arc, Mutex, Once, PoisonError};
+use crate::panics;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::Instant;
 
 /// Why a device did not do what it was asked to.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -32,6 +32,10 @@ pub(super) struct Faults {
     first: Mutex<Option<DeviceError>>,
     /// Why the device was lost, once it is.
     lost: Mutex<Option<String>>,
+    /// Whether it was given up because it did not come to an end.
+    hangs: AtomicBool,
+    /// How long it is waited for at most.
+    deadline: Mutex<Option<Instant>>,
 }
 
 impl Faults {
@@ -57,6 +61,30 @@ impl Faults {
         };
         let mut lost = self.lost.lock().unwrap_or_else(PoisonError::into_inner);
         lost.get_or_insert_with(|| reason.to_owned());
+    }
+
+    /// Gives the device up: what it was given goes on, and nobody knows for how long.
+    pub(super) fn hang(&self) -> DeviceError {
+        let text = "it did not finish its work in time";
+        self.hangs.store(true, Ordering::Relaxed);
+        self.lose(text);
+        DeviceError::Lost(text.to_owned())
+    }
+
+    /// Whether it was given up by [`Self::hang`].
+    pub(super) fn hangs(&self) -> bool {
+        self.hangs.load(Ordering::Relaxed)
+    }
+
+    /// How long the device is waited for at most.
+    pub(super) fn deadline(&self) -> Option<Instant> {
+        *self.deadline.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Sets [`Self::deadline`], and gives the one before.
+    pub(super) fn replace_deadline(&self, deadline: Option<Instant>) -> Option<Instant> {
+        let mut now = self.deadline.lock().unwrap_or_else(PoisonError::into_inner);
+        std::mem::replace(&mut *now, deadline)
     }
 
     /// The device's loss, if it is lost.
@@ -98,42 +126,23 @@ fn in_one_line(text: &str) -> String {
 /// Waits for work on `device`, as `how` says.
 ///
 /// # Errors
-/// When the device is lost.
-pub(super) fn poll(device: &wgpu::Device, how: wgpu::PollType) -> Result<(), DeviceError> {
+/// When the device is lost, or does not come to its end in time.
+pub(super) fn poll(device: &wgpu::Device, how: wgpu::PollType) -> Result<(), PollFault> {
     // Where the wait itself finds the device lost, wgpu has no error for it, and panics.
-    match without_panic(|| device.poll(how)) {
+    match panics::catch(|| device.poll(how)) {
         Ok(Ok(_)) => Ok(()),
-        Ok(Err(error)) => Err(DeviceError::Lost(error.to_string())),
-        Err(text) => Err(DeviceError::Lost(in_one_line(&text))),
+        Ok(Err(wgpu::PollError::Timeout)) => Err(PollFault::Late),
+        Ok(Err(error)) => Err(PollFault::Lost(error.to_string())),
+        Err(panic) => Err(PollFault::Lost(panic.text)),
     }
 }
 
-thread_local! {
-    /// Whether a panic of this thread is expected, and says nothing.
-    static IS_EXPECTED: Cell<bool> = const { Cell::new(false) };
-}
-
-/// What `work` gives, or the text of its panic, which is not printed.
-fn without_panic<T>(work: impl FnOnce() -> T) -> Result<T, String> {
-    static HOOK: Once = Once::new();
-    HOOK.call_once(|| {
-        let usual = panic::take_hook();
-        panic::set_hook(Box::new(move |info| {
-            if !IS_EXPECTED.get() {
-                usual(info);
-            }
-        }));
-    });
-    let before = IS_EXPECTED.replace(true);
-    let result = panic::catch_unwind(AssertUnwindSafe(work));
-    IS_EXPECTED.set(before);
-    result.map_err(|payload| text_of(&*payload))
-}
-
-fn text_of(payload: &(dyn Any + Send)) -> String {
-    let text = payload.downcast_ref::<String>().map(String::as_str);
-    let text = text.or_else(|| payload.downcast_ref::<&str>().copied());
-    text.unwrap_or("waiting for it failed").to_owned()
+/// Why a wait came to nothing.
+pub(super) enum PollFault {
+    /// The device went on for longer than it was waited for.
+    Late,
+    /// The device is lost.
+    Lost(String),
 }
 
 #[cfg(test)]
@@ -156,12 +165,5 @@ mod tests {
             [faults.take(), faults.take(), faults.lost()],
             [lost.clone(), lost.clone(), lost]
         );
-    }
-
-    #[test]
-    fn a_panic_of_the_wait_is_an_error() {
-        assert_eq!(without_panic(|| 7), Ok(7));
-        let found: Result<(), _> = without_panic(|| panic!("Error in Device::poll: {}", "lost"));
-        assert_eq!(found, Err("Error in Device::poll: lost".to_owned()));
     }
 }

@@ -32,4 +32,4 @@ pub use recorder::FrameRecorder;
 pub use stage::Stage;
 pub use ticket::Ticket;
 pub use timeline::StageTime;
-pub use timer::{FrameTimer, FrameTimes};
+pub use timer::{FRAMES_IN_FLIGHT, FrameTimer, FrameTimes};

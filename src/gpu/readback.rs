@@ -1,7 +1,6 @@
 //! Reading textures back to the CPU. Never used in a frame that is measured: it waits.
 
 use super::Gpu;
-use super::fault::poll;
 
 /// The texels of mip level 0 of a 2D texture, rows from the top, tightly packed.
 ///
@@ -117,7 +116,7 @@ fn map(gpu: &Gpu, buffer: &wgpu::Buffer) -> anyhow::Result<Vec<u8>> {
         // The receiver lives until the end of this function.
         let _ = sender.send(result);
     });
-    poll(&gpu.device, wgpu::PollType::wait_indefinitely())?;
+    gpu.poll(wgpu::PollType::wait_indefinitely())?;
     receiver.try_recv()??;
     let bytes = buffer.get_mapped_range(..)?.to_vec();
     buffer.unmap();

@@ -1,7 +1,6 @@
 //! Read-backs that answer frames later, so that nothing waits for them.
 
 use super::Gpu;
-use super::fault::poll;
 use anyhow::Context;
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
 
@@ -40,7 +39,7 @@ impl Ticket {
     /// # Errors
     /// When the device is lost, the frame was never submitted, or the ticket has answered before.
     pub fn poll(&mut self, gpu: &Gpu) -> anyhow::Result<Option<Vec<u8>>> {
-        poll(&gpu.device, wgpu::PollType::Poll)?;
+        gpu.poll(wgpu::PollType::Poll)?;
         match self.mapped.try_recv() {
             Ok(mapped) => {
                 mapped?;
@@ -57,7 +56,7 @@ impl Ticket {
 
     /// The bytes, after all that was submitted is done.
     pub(super) fn wait(mut self, gpu: &Gpu) -> anyhow::Result<Vec<u8>> {
-        poll(&gpu.device, wgpu::PollType::wait_indefinitely())?;
+        gpu.poll(wgpu::PollType::wait_indefinitely())?;
         self.poll(gpu)?.context("a read-back got lost")
     }
 }

@@ -1,6 +1,5 @@
 //! Times of a frame's stages, read back frames later so that measuring never stalls.
 
-use super::fault::poll;
 use super::recorder::Submitted;
 use super::timeline::{StageTime, Timeline};
 use super::{FrameRecorder, Gpu};
@@ -14,7 +13,7 @@ pub(super) const MAX_TIMESTAMPS: u32 = 64;
 
 /// Frames that may be under way at once. As many as a swap chain would allow: the CPU may run
 /// ahead, yet the queue does not grow without bound.
-const FRAMES_IN_FLIGHT: usize = 3;
+pub const FRAMES_IN_FLIGHT: usize = 3;
 
 const QUERY_BYTES: u64 = MAX_TIMESTAMPS as u64 * wgpu::QUERY_SIZE as u64;
 
@@ -37,6 +36,24 @@ pub struct FrameTimes {
 }
 
 impl FrameTimes {
+    /// Times on the device that nobody measured, one stage after the other, for tests of whoever reads them.
+    #[cfg(test)]
+    pub(crate) fn of_stages(stages: &[(&'static str, f64)]) -> Self {
+        let stage = |&(name, device_ms): &(_, _)| StageTime {
+            name,
+            device_ms,
+            processor_ms: 0.0,
+        };
+        Self {
+            stages: stages.iter().map(stage).collect(),
+            added_ms: stages.iter().map(|(_, ms)| *ms).collect(),
+            record_ms: 0.0,
+            cpu_ms: 0.0,
+            wait_ms: 0.0,
+            draw_calls: 0,
+        }
+    }
+
     /// The whole frame on both clocks, work that overlaps counted once; see [`super::timeline`].
     pub fn frame_ms(&self) -> f64 {
         self.added_ms.iter().sum()
@@ -201,7 +218,7 @@ impl<T> FrameTimer<T> {
             submission_index: Some(oldest.frame.submission.clone()),
             timeout: None,
         };
-        poll(&gpu.device, wait)?;
+        gpu.poll(wait)?;
         oldest
             .mapped
             .try_recv()

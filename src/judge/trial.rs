@@ -1,18 +1,14 @@
 //! One picture of one scene, drawn by several methods and judged.
 
-use super::verifier::{Judgement, Truth, Verifier};
-use crate::frame::PreparedMethod;
-use crate::frame::{DepthSetup, FrameResources};
-use crate::geometry::Topology;
+use super::{DeviceScene, Judgement, NoPicture, Truth, Verifier, contain};
+use crate::frame::DepthSetup;
 use crate::gpu::{Gpu, GpuError};
-use crate::methods::{self, MethodError, PrepareContext, ShadowMethod};
-use crate::record::in_one_line;
+use crate::methods::ShadowMethod;
 use crate::reference::{ReferenceCache, ReferenceMask};
-use crate::scene::{Moment, Scene};
-use std::cell::{OnceCell, RefCell};
-use std::rc::Rc;
+use crate::scene::Scene;
+use std::cell::RefCell;
 
-/// Draws the first view of scenes.
+/// Tries methods on the first view of scenes.
 pub struct Judge {
     /// The device; opened again where it was lost.
     gpu: RefCell<Gpu>,
@@ -28,15 +24,6 @@ pub enum Attempt {
     Drawn(Box<Drawn>),
     /// There is no picture.
     Missing(NoPicture),
-}
-
-/// Why there is no picture.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub enum NoPicture {
-    /// The method cannot run on this scene or device, for this reason.
-    Unavailable(String),
-    /// Something broke: the device was lost or has not enough memory, or the scene cannot be traced.
-    Failed(String),
 }
 
 /// A picture and how right it is.
@@ -71,19 +58,6 @@ pub struct Trial {
     pub attempts: Vec<Attempt>,
 }
 
-impl NoPicture {
-    /// Why, in words.
-    pub fn reason(&self) -> &str {
-        match self {
-            Self::Unavailable(reason) | Self::Failed(reason) => reason,
-        }
-    }
-
-    fn failed(error: &anyhow::Error) -> Self {
-        Self::Failed(in_one_line(error))
-    }
-}
-
 impl Judge {
     /// For pictures of this size.
     pub fn new(gpu: &Gpu, size_px: (u32, u32)) -> Self {
@@ -106,33 +80,32 @@ impl Judge {
         Ok(gpu.clone())
     }
 
-    /// Draws the first view of `scene` with every method and judges the masks.
-    pub fn judge(&self, scene: &Scene, methods: &[Box<dyn ShadowMethod>]) -> Trial {
+    /// Tries every method on the first view of `scene`: draws it, and compares the mask with the truth.
+    pub fn trial(&self, scene: &Scene, methods: &[Box<dyn ShadowMethod>]) -> Trial {
         let mut truths: Vec<(DepthSetup, Truth)> = Vec::new();
-        let attempts = self.on_devices(scene, methods, |set, methods, attempts| {
-            let first = Verifier::new(&set.gpu, scene, &set.stages[0], &self.cache)?;
-            for method in methods {
-                let attempt = set.prepared(method.as_ref(), |stage, prepared| {
-                    let verifier = first.on(stage);
-                    let known = truths.iter().position(|(depth, _)| *depth == stage.depth);
-                    let known = match known {
-                        Some(known) => known,
-                        None => {
-                            truths.push((stage.depth, verifier.truth(&set.moment)?));
-                            truths.len() - 1
-                        }
-                    };
-                    let truth = &truths[known].1;
-                    let mask = verifier.draw_mask(prepared, truth)?;
-                    let judgement = verifier.judge(&mask, truth, prepared)?;
-                    Ok(Box::new(Drawn { mask, judgement }))
-                });
-                attempts.push(attempt);
-                if set.gpu.lost().is_some() {
-                    break;
+        let mut reference = None;
+        let attempts = self.on_devices(scene, methods, |device, method| {
+            let reference = match &reference {
+                Some(reference) => reference,
+                None => reference.insert(Verifier::reference_of(scene)?),
+            };
+            let mut ready = device.prepare(method)?;
+            let (gpu, resources) = (&device.gpu, &ready.resources);
+            let verifier = Verifier::sharing(gpu, scene, resources, &self.cache, reference);
+            let known = truths
+                .iter()
+                .position(|(depth, _)| *depth == resources.depth);
+            let known = match known {
+                Some(known) => known,
+                None => {
+                    truths.push((resources.depth, verifier.truth(&scene.flight.at(0.0))?));
+                    truths.len() - 1
                 }
-            }
-            Ok(())
+            };
+            let truth = &truths[known].1;
+            let mask = verifier.draw_mask(ready.method.as_mut(), truth)?;
+            let judgement = verifier.compare(&mask, truth, ready.method.as_ref())?;
+            Ok(Box::new(Drawn { mask, judgement }))
         });
         let attempt = |attempt: Result<_, _>| attempt.map_or_else(Attempt::Missing, Attempt::Drawn);
         Trial {
@@ -141,99 +114,53 @@ impl Judge {
         }
     }
 
-    /// The masks that the methods draw of the first view of `scene`, judged by nobody.
+    /// The masks that the methods draw of the first view of `scene`, held against no truth.
     pub fn masks(
         &self,
         scene: &Scene,
         methods: &[Box<dyn ShadowMethod>],
     ) -> Vec<Result<Vec<u8>, NoPicture>> {
-        self.on_devices(scene, methods, |set, methods, masks| {
-            for method in methods {
-                masks.push(set.prepared(method.as_ref(), |stage, prepared| {
-                    stage.set_view(&set.gpu, &set.moment);
-                    stage.draw_mask(&set.gpu, prepared)
-                }));
-                if set.gpu.lost().is_some() {
-                    break;
-                }
-            }
-            Ok(())
+        self.on_devices(scene, methods, |device, method| {
+            let mut ready = device.prepare(method)?;
+            ready.resources.set_view(&device.gpu, &scene.flight.at(0.0));
+            ready
+                .resources
+                .draw_mask(&device.gpu, ready.method.as_mut())
         })
     }
 
-    /// Lets `work` give something for each method, on one device after another: where one is lost, the method
-    /// that lost it has failed, and the next ones go on. An error of `work` is one for all that are left.
+    /// Lets `draw` give something for each method, on one device after another: where one is lost, the method
+    /// that lost it has failed, and the next ones go on.
     fn on_devices<T>(
         &self,
         scene: &Scene,
         methods: &[Box<dyn ShadowMethod>],
-        mut work: impl FnMut(&Set<'_>, &[Box<dyn ShadowMethod>], &mut Attempts<T>) -> anyhow::Result<()>,
-    ) -> Attempts<T> {
+        mut draw: impl FnMut(&DeviceScene<'_>, &dyn ShadowMethod) -> anyhow::Result<T>,
+    ) -> Vec<Result<T, NoPicture>> {
         let mut attempts = Vec::with_capacity(methods.len());
         while attempts.len() < methods.len() {
-            let rest = &methods[attempts.len()..];
-            let done = self
-                .set(scene, rest)
-                .and_then(|set| work(&set, rest, &mut attempts));
-            if let Err(error) = done {
-                let left = methods.len() - attempts.len();
-                attempts.extend((0..left).map(|_| Err(NoPicture::failed(&error))));
+            let device = match self.device_scene(scene) {
+                Ok(device) => device,
+                Err(error) => {
+                    let left = methods.len() - attempts.len();
+                    let reason = NoPicture::from(error);
+                    attempts.extend((0..left).map(|_| Err(reason.clone())));
+                    break;
+                }
+            };
+            for method in &methods[attempts.len()..] {
+                let work = || draw(&device, method.as_ref());
+                attempts.push(contain(&device.gpu, None, work));
+                if device.gpu.lost().is_some() {
+                    break;
+                }
             }
         }
         attempts
     }
 
-    fn set<'a>(
-        &self,
-        scene: &'a Scene,
-        methods: &[Box<dyn ShadowMethod>],
-    ) -> anyhow::Result<Set<'a>> {
-        let moment = scene.flight.at(0.0);
-        moment.validate()?;
-        let gpu = self.gpu()?;
-        let setups = methods.iter().map(|method| method.depth_setup());
-        Ok(Set {
-            stages: FrameResources::for_setups(&gpu, scene, self.size_px, setups)?,
-            topology: Rc::default(),
-            gpu,
-            scene,
-            moment,
-        })
-    }
-}
-
-/// What came of each method so far.
-type Attempts<T> = Vec<Result<T, NoPicture>>;
-
-/// A scene on one device.
-struct Set<'a> {
-    gpu: Gpu,
-    scene: &'a Scene,
-    stages: Vec<FrameResources>,
-    moment: Moment,
-    topology: Rc<OnceCell<Topology>>,
-}
-
-impl Set<'_> {
-    /// What `draw` gives of the method made ready and the stage that it draws on.
-    fn prepared<T>(
-        &self,
-        method: &dyn ShadowMethod,
-        draw: impl FnOnce(&FrameResources, &mut dyn PreparedMethod) -> anyhow::Result<T>,
-    ) -> Result<T, NoPicture> {
-        let setup = method.depth_setup();
-        let unavailable = NoPicture::Unavailable;
-        method.info().check(&self.gpu).map_err(unavailable)?;
-        setup.check(&self.gpu).map_err(unavailable)?;
-        let Some(stage) = self.stages.iter().find(|stage| stage.depth == setup) else {
-            unreachable!("there is a stage for each setup that the device can draw")
-        };
-        let context = PrepareContext::sharing(&self.gpu, self.scene, stage, &self.topology);
-        let mut prepared = match methods::prepare(method, &context) {
-            Ok(prepared) => prepared,
-            Err(MethodError::Unavailable(reason)) => return Err(unavailable(reason)),
-            Err(error) => return Err(NoPicture::failed(&error.into())),
-        };
-        draw(stage, prepared.as_mut()).map_err(|error| NoPicture::failed(&error))
+    fn device_scene<'a>(&self, scene: &'a Scene) -> anyhow::Result<DeviceScene<'a>> {
+        scene.flight.at(0.0).validate()?;
+        Ok(DeviceScene::new(&self.gpu()?, scene, self.size_px)?)
     }
 }

@@ -1,68 +1,38 @@
-//! Checking a method's mask against the ray-traced truth, in frames that nobody times.
+//! What is true at a view of a scene, and the frames that are held against it, which nobody times.
 
-use crate::frame::PreparedMethod;
-use crate::frame::{FrameResources, FrameView};
+use super::ReadyMethod;
+use crate::frame::{FrameResources, FrameView, PreparedMethod};
 use crate::gpu::{FrameRecorder, Gpu, readback};
 use crate::memory;
-use crate::metrics::{
-    Analysis, Distances, EdgeDistances, Flicker, FrameContext, MaskComparison, MaskError,
-    SEAM_STEPS, analyse, mean_flip,
-};
+use crate::metrics::EdgeDistances;
 use crate::reference::{
-    BoundaryProbe, CacheKey, Motion, Reference, ReferenceCache, ReferenceMask, ReferenceView,
-    Verdict,
+    CacheKey, Reference, ReferenceCache, ReferenceMask, ReferenceView, Verdict,
 };
 use crate::scene::{Moment, Scene};
 use anyhow::Context;
-use rayon::prelude::*;
 use std::rc::Rc;
 
 /// What the processor needs for a pixel of a picture that is compared with the truth: numbers of triangles,
 /// verdicts, distances to the edge, masks and pictures.
 const TRUTH_BYTES_PER_PIXEL: u64 = 64;
 
-/// Draws single frames of one scene on one stage and judges their masks.
+/// Knows what is true of one scene, and compares masks that are drawn with one set of frame resources with it.
 pub struct Verifier<'a> {
     gpu: &'a Gpu,
     scene: &'a Scene,
-    stage: &'a FrameResources,
-    reference: Rc<Reference>,
+    pub(super) stage: &'a FrameResources,
+    pub(super) reference: Rc<Reference>,
     cache: &'a ReferenceCache,
 }
 
 /// What is true at one moment.
 pub struct Truth {
-    moment: Moment,
-    view: ReferenceView,
-    triangle_ids: Vec<u32>,
+    pub(super) moment: Moment,
+    pub(super) view: ReferenceView,
+    pub(super) triangle_ids: Vec<u32>,
     /// The verdict of each pixel.
     pub mask: ReferenceMask,
-    edges: EdgeDistances,
-}
-
-/// What is true of one pixel.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct PixelTruth {
-    /// The triangle that it shows.
-    pub triangle: Option<u32>,
-    /// Whether that is in shadow there.
-    pub verdict: Verdict,
-    /// Whether the true shadow boundary passes within a pixel of its centre.
-    pub at_boundary: bool,
-    /// Whether an edge of the triangle passes it as near as at a [`crate::metrics::Label::Seam`].
-    pub at_seam: bool,
-}
-
-/// How a method did at one view.
-pub struct Judgement {
-    /// Counts of wrong pixels.
-    pub error: MaskError,
-    /// How far they are from the true edge.
-    pub distances: Distances,
-    /// What kind of errors they are.
-    pub analysis: Analysis,
-    /// RGB, rows from the top: where they are.
-    pub error_map: Vec<u8>,
+    pub(super) edges: EdgeDistances,
 }
 
 impl<'a> Verifier<'a> {
@@ -76,6 +46,20 @@ impl<'a> Verifier<'a> {
         stage: &'a FrameResources,
         cache: &'a ReferenceCache,
     ) -> anyhow::Result<Self> {
+        Ok(Self::sharing(
+            gpu,
+            scene,
+            stage,
+            cache,
+            &Self::reference_of(scene)?,
+        ))
+    }
+
+    /// The reference of `scene`, for verifiers to [share](Self::sharing).
+    ///
+    /// # Errors
+    /// When the scene has a triangle that cannot be traced.
+    pub fn reference_of(scene: &Scene) -> anyhow::Result<Rc<Reference>> {
         let mesh = &scene.mesh;
         let mut casts = vec![false; mesh.triangles.len()];
         for object in mesh.casters() {
@@ -85,21 +69,23 @@ impl<'a> Verifier<'a> {
             casts[triangle as usize]
         })
         .with_context(|| format!("scene `{}` cannot be traced", scene.name))?;
-        Ok(Self {
+        Ok(Rc::new(reference))
+    }
+
+    /// The same with a reference that was prepared before.
+    pub fn sharing(
+        gpu: &'a Gpu,
+        scene: &'a Scene,
+        stage: &'a FrameResources,
+        cache: &'a ReferenceCache,
+        reference: &Rc<Reference>,
+    ) -> Self {
+        Self {
             gpu,
             scene,
             stage,
-            reference: Rc::new(reference),
+            reference: Rc::clone(reference),
             cache,
-        })
-    }
-
-    /// The same for frames that are drawn on another stage of the scene.
-    pub fn on(&self, stage: &'a FrameResources) -> Self {
-        Self {
-            stage,
-            reference: Rc::clone(&self.reference),
-            ..*self
         }
     }
 
@@ -153,6 +139,22 @@ impl<'a> Verifier<'a> {
         self.stage.draw_mask(self.gpu, method)
     }
 
+    /// The same for a frame that follows those at `lead_in_s` of the flight.
+    ///
+    /// # Errors
+    /// When the device is lost.
+    pub fn draw_mask_after(
+        &self,
+        lead_in_s: &[f64],
+        ready: &mut ReadyMethod,
+        truth: &Truth,
+    ) -> anyhow::Result<Vec<u8>> {
+        let lead_in = lead_in_s.iter().map(|s| self.scene.flight.at(*s));
+        ready.begin(self.gpu, &lead_in.collect::<Vec<_>>())?;
+        self.stage.set_view(self.gpu, &truth.moment);
+        ready.draw_mask(self.gpu)
+    }
+
     /// RGBA of the frame drawn last.
     ///
     /// # Errors
@@ -181,136 +183,4 @@ impl<'a> Verifier<'a> {
             self.read_picture()
         })
     }
-
-    /// Compares a mask with the truth of the same view. `method`, which drew it, may know its shadow map's
-    /// texels.
-    ///
-    /// # Errors
-    /// When mask and truth differ in size.
-    pub fn judge(
-        &self,
-        mask: &[u8],
-        truth: &Truth,
-        method: &dyn PreparedMethod,
-    ) -> anyhow::Result<Judgement> {
-        let light = truth.moment.light;
-        let wrong_px = wrong_px(mask, &truth.mask);
-        let probe = BoundaryProbe::new(&self.reference, light, &truth.view, &truth.mask, wrong_px)?;
-        let comparison = MaskComparison::new(mask, &truth.mask, |x, y| probe.near_boundary(x, y))?;
-        let texels = method.texels();
-        let context = FrameContext {
-            reference: &self.reference,
-            light,
-            view: &truth.view,
-            triangle_ids: &truth.triangle_ids,
-            edges: &truth.edges,
-            texel: texels.as_ref().map(|texels| &*texels.of as _),
-            texel_reach: texels.as_ref().map_or(0, |texels| texels.reach),
-        };
-        Ok(Judgement {
-            error: comparison.error(),
-            distances: comparison.distances(&truth.edges),
-            analysis: analyse(&comparison, &context)?,
-            error_map: comparison.error_map(),
-        })
-    }
-
-    /// What is true of some pixels, which are counted by rows from the top.
-    ///
-    /// # Errors
-    /// When the view is no perspective.
-    pub fn look(&self, truth: &Truth, pixels: &[usize]) -> anyhow::Result<Vec<PixelTruth>> {
-        let (reference, mask) = (&self.reference, &truth.mask);
-        let probe = BoundaryProbe::new(
-            reference,
-            truth.moment.light,
-            &truth.view,
-            mask,
-            pixels.len(),
-        )?;
-        let evidence = reference.evidence(truth.moment.light, &truth.view, &truth.triangle_ids)?;
-        let look = |&pixel: &usize| PixelTruth {
-            triangle: truth.triangle_ids[pixel].checked_sub(1),
-            verdict: mask.verdict(pixel),
-            at_boundary: probe.near_boundary(pixel as u32 % mask.width, pixel as u32 / mask.width),
-            at_seam: evidence.at_inner_edge(pixel, SEAM_STEPS),
-        };
-        Ok(pixels.iter().map(look).collect())
-    }
-
-    /// The pixels of a mask that are wrong although the truth is the same all around their centre, counted by
-    /// rows from the top: no tie excuses them, be they [ambiguous](Verdict::Ambiguous) or not.
-    ///
-    /// # Errors
-    /// When the view is no perspective.
-    pub fn hard_errors(&self, mask: &[u8], truth: &Truth) -> anyhow::Result<Vec<usize>> {
-        let probe = self
-            .reference
-            .surroundings(truth.moment.light, &truth.view)?;
-        let width = truth.mask.width;
-        let is_hard = |pixel: &usize| {
-            let is_shadowed = MaskComparison::is_shadowed(mask[*pixel]);
-            let verdict = truth.mask.verdict(*pixel);
-            let differs = |verdict| is_shadowed != (verdict == Verdict::Shadowed);
-            (verdict == Verdict::Ambiguous || differs(verdict)) && {
-                let (x, y) = (*pixel as u32 % width, *pixel as u32 / width);
-                probe
-                    .drawn(x, y, truth.triangle_ids[*pixel])
-                    .is_some_and(differs)
-                    && probe.unanimous(x, y).is_some_and(differs)
-            }
-        };
-        let pixels = (0..mask.len()).into_par_iter();
-        Ok(pixels.filter(is_hard).collect())
-    }
-
-    /// Where the surface points seen at one view appear at another.
-    ///
-    /// # Errors
-    /// When a view is no perspective.
-    pub fn motion(&self, from: &Truth, to: &Truth) -> anyhow::Result<Motion> {
-        let from = (&from.view, &from.triangle_ids[..]);
-        let to = (&to.view, &to.triangle_ids[..]);
-        Ok(self.reference.follow(from, to)?)
-    }
-
-    /// Mean FLIP of a picture of the frame against the one with the true shadows, RGBA: 0 alike to 1.
-    /// Ambiguous pixels are taken to be right.
-    ///
-    /// # Errors
-    /// When they differ in size.
-    pub fn flip(&self, truth: &Truth, true_picture: &[u8], picture: &[u8]) -> anyhow::Result<f64> {
-        let mut expected = true_picture.to_vec();
-        let pixels = expected.chunks_exact_mut(4).zip(picture.chunks_exact(4));
-        for ((expected, found), verdict) in pixels.zip(truth.mask.verdicts()) {
-            if verdict == Verdict::Ambiguous {
-                expected.copy_from_slice(found);
-            }
-        }
-        let size = [self.stage.targets.width, self.stage.targets.height];
-        Ok(mean_flip(size, &expected, picture)?)
-    }
-}
-
-/// Pixels that are wrong, wherever.
-fn wrong_px(mask: &[u8], truth: &ReferenceMask) -> usize {
-    let is_wrong = |(value, verdict): &(&u8, Verdict)| {
-        MaskComparison::is_shadowed(**value) != (*verdict == Verdict::Shadowed)
-    };
-    mask.iter().zip(truth.verdicts()).filter(is_wrong).count()
-}
-
-/// Which errors of a method's masks come or go from one view to the next.
-///
-/// # Errors
-/// When a mask and its truth differ in size.
-pub(crate) fn flicker(
-    motion: &Motion,
-    (mask, truth): (&[u8], &Truth),
-    (next_mask, next): (&[u8], &Truth),
-) -> anyhow::Result<Flicker> {
-    // How far an error is from the edge does not matter here.
-    let before = MaskComparison::new(mask, &truth.mask, |_, _| true)?;
-    let after = MaskComparison::new(next_mask, &next.mask, |_, _| true)?;
-    Ok(Flicker::between(motion, &before, &after))
 }

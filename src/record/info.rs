@@ -35,6 +35,9 @@ pub struct RunInfo {
     pub frames: u32,
     /// Frames rendered in each cell before measuring.
     pub warmup_frames: u32,
+    /// Frames drawn before each measured and each verified one; 0 in runs from before there were any.
+    #[serde(default)]
+    pub lead_in: u32,
     /// Frames of each cell compared with the reference.
     pub verified_frames: u32,
     /// The scenes asked for, also those that could not be loaded.

@@ -63,6 +63,7 @@ pub(super) fn info(scenes: &[&str], methods: &[&str]) -> RunInfo {
         height: 48,
         frames: 3,
         warmup_frames: 1,
+        lead_in: 0,
         verified_frames: 2,
         scenes: scenes.iter().map(scene).collect(),
         methods: methods.iter().map(method).collect(),

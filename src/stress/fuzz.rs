@@ -76,7 +76,7 @@ pub fn fuzz(
             break;
         }
         let scene = random::case(seed);
-        let trial = judge.judge(&scene, methods);
+        let trial = judge.trial(&scene, methods);
         for (index, (method, attempt)) in methods.iter().zip(&trial.attempts).enumerate() {
             let tally = &mut tallies[index];
             let drawn = match attempt {

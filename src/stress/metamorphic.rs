@@ -5,10 +5,8 @@
 //! drawing decides), or where the truth itself cannot decide, a mask may go either way.
 
 use super::{Change, Changed, Keeps};
-use crate::frame::{DepthSetup, FrameResources};
-use crate::judge::PixelTruth;
-use crate::judge::Verifier;
-use crate::judge::{Judge, NoPicture};
+use crate::frame::DepthSetup;
+use crate::judge::{DeviceScene, Judge, NoPicture, PixelTruth, Verifier};
 use crate::methods::ShadowMethod;
 use crate::metrics::{Label, MaskComparison};
 use crate::reference::{ReferenceCache, Verdict};
@@ -225,9 +223,8 @@ fn look(
     depth: DepthSetup,
     pixels: &[usize],
 ) -> anyhow::Result<Vec<PixelTruth>> {
-    let (width, height) = judge.size_px;
     let gpu = judge.gpu()?;
-    let stage = FrameResources::new(&gpu, scene, width, height)?.with_depth(&gpu, depth)?;
+    let stage = DeviceScene::new(&gpu, scene, judge.size_px)?.resources(depth)?;
     let cache = ReferenceCache::open(None);
     let verifier = Verifier::new(&gpu, scene, &stage, &cache)?;
     let truth = verifier.truth(&scene.flight.at(0.0))?;

@@ -71,7 +71,7 @@ fn try_value(
     kept: &mut [Option<Outcome>],
 ) -> anyhow::Result<Vec<StressRow>> {
     let scene = cause.scene(value, request.seed);
-    let trial = request.judge.judge(&scene, request.methods);
+    let trial = request.judge.trial(&scene, request.methods);
     let mut rows = Vec::with_capacity(request.methods.len());
     for ((method, attempt), kept) in request.methods.iter().zip(&trial.attempts).zip(kept) {
         let mut row = row(cause, value, method.as_ref(), attempt);

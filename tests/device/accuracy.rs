@@ -62,7 +62,7 @@ fn errors(gpu: &Gpu, scene: &Scene, shots: &[Moment]) -> Vec<Vec<(MaskError, usi
                 .iter_mut()
                 .map(|method| {
                     let mask = verifier.draw_mask(method.as_mut(), &truth).unwrap();
-                    let judgement = verifier.judge(&mask, &truth, method.as_ref()).unwrap();
+                    let judgement = verifier.compare(&mask, &truth, method.as_ref()).unwrap();
                     let hard = verifier.hard_errors(&mask, &truth).unwrap();
                     (judgement.error, hard.len())
                 })

@@ -29,7 +29,7 @@ fn is_shown(judge: &Judge, id: &str, limit: &Limit, cause: &str) -> bool {
     variants.iter().any(|variant| {
         let methods = [Registry::builtin().parse(variant).unwrap()];
         values.iter().rev().any(|&value| {
-            let trial = judge.judge(&cause.scene(value, 0), &methods);
+            let trial = judge.trial(&cause.scene(value, 0), &methods);
             let drawn = trial.attempts[0].drawn();
             drawn.is_some_and(|drawn| {
                 let finding = Finding::of(methods[0].as_ref(), Some((&cause.id, value)), drawn);

@@ -5,6 +5,7 @@ mod common;
 mod contract;
 mod counting;
 mod facing;
+mod faults;
 mod gbuffer;
 mod limits;
 mod maps;

@@ -62,7 +62,7 @@ fn box_over_floor(height: f32, turn: fn(Vec3) -> Vec3, offset: Vec3, light: Vec4
 
 /// The errors of a method, and how many pixels of them are acne; there is a shadow at all.
 fn errors(judge: &Judge, scene: &Scene, method: &str) -> (MaskError, u64) {
-    let trial = judge.judge(scene, &[Registry::builtin().parse(method).unwrap()]);
+    let trial = judge.trial(scene, &[Registry::builtin().parse(method).unwrap()]);
     let truth = trial.truth.as_ref().unwrap().to_grey();
     let shadowed = truth.iter().filter(|v| **v == 255).count();
     assert!(shadowed > 500, "{shadowed}");

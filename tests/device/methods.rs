@@ -59,7 +59,7 @@ fn draw_all<'a>(
             method: method.to_owned(),
             counts: readback::read_stencil(gpu, &stage.targets.depth).unwrap(),
             error: verifier
-                .judge(&mask, &truth, prepared.as_ref())
+                .compare(&mask, &truth, prepared.as_ref())
                 .unwrap()
                 .error,
             mask,

@@ -52,7 +52,7 @@ fn shrink(gpu: &Gpu, scene: &Scene, method: &str) {
     let judge = Judge::new(gpu, SIZE_PX);
     let methods = [Registry::builtin().parse(method).unwrap()];
     let artifact_px = |scene: &Scene| -> anyhow::Result<u64> {
-        Ok(judge.judge(scene, &methods).attempts[0].artifact_px())
+        Ok(judge.trial(scene, &methods).attempts[0].artifact_px())
     };
     let started = Instant::now();
     let mut fails = |scene: &Scene| Ok(artifact_px(scene)? > 0);

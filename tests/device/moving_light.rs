@@ -67,7 +67,7 @@ fn every_moment_is_drawn_and_judged_by_its_own_light() {
             for time_s in scene.flight.frame_times(5) {
                 let truth = verifier.truth(&scene.flight.at(time_s)).unwrap();
                 let mask = verifier.draw_mask(prepared.as_mut(), &truth).unwrap();
-                let judgement = verifier.judge(&mask, &truth, prepared.as_ref()).unwrap();
+                let judgement = verifier.compare(&mask, &truth, prepared.as_ref()).unwrap();
                 let place = format!("{id}, w = {w}, {time_s} s");
                 if is_map {
                     let wrong_px = judgement.error.wrong_px();

@@ -26,7 +26,7 @@ fn methods(ids: &[&str]) -> Vec<Box<dyn ShadowMethod>> {
 /// Artifact pixels of a method at a value of a cause.
 fn artifacts(judge: &Judge, id: &str, cause: &str, value: f64) -> u64 {
     let scene = find_cause(cause).unwrap().scene(value, 0);
-    let trial = judge.judge(&scene, &methods(&[id]));
+    let trial = judge.trial(&scene, &methods(&[id]));
     assert!(trial.attempts[0].drawn().is_some(), "{id} at {cause}");
     trial.attempts[0].artifact_px()
 }
@@ -116,7 +116,7 @@ pub(crate) fn assert_sound(judge: &Judge, seeds: impl Iterator<Item = u64>) -> u
     let mut faults = Vec::new();
     let mut shadowed = 0;
     for seed in seeds {
-        let trial = judge.judge(&random::case(seed), &methods);
+        let trial = judge.trial(&random::case(seed), &methods);
         shadowed += trial
             .truth
             .unwrap()
@@ -153,7 +153,7 @@ fn a_wrong_method_does_not_survive_random_scenes() {
     let judge = Judge::new(&gpu, SIZE_PX);
     let wrong = methods(&["silhouette_gs,counting=z_pass"]);
     let is_wrong = |seed: &u64| {
-        let trial = judge.judge(&random::case(*seed), &wrong);
+        let trial = judge.trial(&random::case(*seed), &wrong);
         trial.attempts[0].artifact_px() > 0
     };
     let wrong = (0..40).filter(is_wrong).count();

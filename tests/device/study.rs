@@ -45,7 +45,7 @@ fn draw(gpu: &Gpu, scene: &Scene, method: &str, time_s: f64) -> Drawn {
     let verifier = Verifier::new(gpu, scene, &stage, &cache).unwrap();
     let truth = verifier.truth(&scene.flight.at(time_s)).unwrap();
     let mask = verifier.draw_mask(prepared.as_mut(), &truth).unwrap();
-    let judgement = verifier.judge(&mask, &truth, prepared.as_ref()).unwrap();
+    let judgement = verifier.compare(&mask, &truth, prepared.as_ref()).unwrap();
     Drawn {
         error: judgement.error,
         acne_px: judgement.analysis.label_px(Label::Acne),

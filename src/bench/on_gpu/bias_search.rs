@@ -1,12 +1,11 @@
 //! The smallest slope bias of a shadow map without acne, and the detached shadow that it costs.
 
-use crate::config::RunPlan;
+use super::FoundBias;
 use crate::frame::PreparedMethod;
-use crate::judge::{Observer, Truth, Verifier};
-use crate::methods::{self, BiasSearch, PrepareContext};
+use crate::judge::{DeviceScene, Observer, Truth, Verifier};
+use crate::methods::BiasSearch;
 use crate::metrics::Label;
 use crate::record::{BiasRow, Cell};
-use crate::scene::Flight;
 
 /// The first bias that is tried after none, in texels.
 const FIRST_BIAS: f64 = 0.25;
@@ -16,17 +15,6 @@ const LARGEST_BIAS: f64 = 128.0;
 const PRECISION: f64 = 1.0 / 16.0;
 /// Acne in so large a part of a picture is none: a handful of pixels may have got the wrong label.
 const TOLERANCE: f64 = 1e-5;
-/// Views of a run that verifies nothing.
-const VIEWS: u32 = 3;
-
-/// A bias that was found.
-pub(super) struct FoundBias {
-    /// In texels.
-    pub slope_bias: f64,
-    /// How it was found.
-    pub row: BiasRow,
-}
-
 /// Pixels a frame at one bias.
 #[derive(Clone, Copy)]
 struct Trial {
@@ -35,30 +23,14 @@ struct Trial {
     detached_px: f64,
 }
 
-/// When on the flight biases are tried: midway between the verified frames, lest a map be fitted to the very
-/// frames that it is judged by.
-pub(super) fn times(plan: &RunPlan, flight: &Flight) -> Vec<f64> {
-    let mut verified_s = plan.verified_times(flight);
-    if verified_s.is_empty() {
-        verified_s = flight.frame_times(VIEWS as usize);
-    }
-    let next_s = verified_s.iter().skip(1).copied();
-    let next_s = next_s.chain([flight.duration_s()]);
-    verified_s
-        .iter()
-        .zip(next_s)
-        .map(|(a, b)| (a + b) / 2.0)
-        .collect()
-}
-
 /// Searches for the bias of one cell at `truths`; `None` if the user wants the run to stop.
 ///
 /// # Errors
-/// A [`crate::methods::MethodError`] where the method cannot run here; else the device's.
+/// A [`crate::judge::NoPicture`] where the method cannot be made ready; else the device's.
 pub(super) fn find(
     cell: &Cell,
     search: &BiasSearch<'_>,
-    context: &PrepareContext<'_>,
+    device: &DeviceScene<'_>,
     (verifier, truths): (&Verifier<'_>, &[Truth]),
     observer: &dyn Observer,
 ) -> anyhow::Result<Option<FoundBias>> {
@@ -68,8 +40,8 @@ pub(super) fn find(
             return Ok(None);
         }
         tried += 1;
-        let mut prepared = methods::prepare((search.with_bias)(slope_bias).as_ref(), context)?;
-        try_bias(slope_bias, prepared.as_mut(), verifier, truths).map(Some)
+        let mut ready = device.prepare((search.with_bias)(slope_bias).as_ref())?;
+        try_bias(slope_bias, ready.method.as_mut(), verifier, truths).map(Some)
     };
     let tolerance_px = TOLERANCE * f64::from(cell.width) * f64::from(cell.height);
     let Some((unbiased, found)) = smallest(tolerance_px, trial)? else {
@@ -139,7 +111,7 @@ fn try_bias(
     let (mut acne_px, mut detached_px) = (0, 0);
     for truth in truths {
         let mask = verifier.draw_mask(prepared, truth)?;
-        let analysis = verifier.judge(&mask, truth, prepared)?.analysis;
+        let analysis = verifier.compare(&mask, truth, prepared)?.analysis;
         acne_px += analysis.label_px(Label::Acne);
         detached_px += analysis.label_px(Label::DetachedShadow);
     }
