@@ -5,8 +5,7 @@ use crate::record::SweepRecord;
 
 /// A method with what tells its rows apart: what a line, a bar colour or a table row stands for.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Contender {
-    /// Id of the method.
+pub(crate) struct Contender {
     pub method: String,
     /// Variant, and the size where it is not the run's own; may be empty.
     pub variant: String,
@@ -14,15 +13,14 @@ pub struct Contender {
 
 impl Contender {
     /// A method in a variant, which may be empty.
-    pub fn new(method: impl Into<String>, variant: impl Into<String>) -> Self {
+    pub(crate) fn new(method: impl Into<String>, variant: impl Into<String>) -> Self {
         Self {
             method: method.into(),
             variant: variant.into(),
         }
     }
 
-    /// Id and variant in one line.
-    pub fn label(&self) -> String {
+    pub(crate) fn label(&self) -> String {
         format!("{} {}", self.method, self.variant)
             .trim_end()
             .to_owned()
@@ -32,7 +30,7 @@ impl Contender {
 /// What shares a colour in the plots: the contenders that a sweep of one parameter made, or one
 /// contender alone.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Curve {
+pub(crate) struct Curve {
     /// Its name: method and variant without the swept parameter.
     pub name: Contender,
     /// The swept parameter; `None` for a contender alone.
@@ -40,8 +38,7 @@ pub struct Curve {
 }
 
 impl Curve {
-    /// The curve that `contender` is a point of.
-    pub fn of(contender: &Contender, sweep: Option<&SweepRecord>) -> Self {
+    pub(crate) fn of(contender: &Contender, sweep: Option<&SweepRecord>) -> Self {
         Self {
             name: sweep.map_or_else(
                 || contender.clone(),
@@ -52,7 +49,7 @@ impl Curve {
     }
 
     /// Its name as a legend says it: a swept one with `by` and its parameter.
-    pub fn legend(&self) -> Contender {
+    pub(crate) fn legend(&self) -> Contender {
         let by = self.parameter.as_ref().map(|name| format!("by {name}"));
         let variant = [self.name.variant.clone(), by.unwrap_or_default()].join(" ");
         Contender::new(&self.name.method, variant.trim())
@@ -61,7 +58,7 @@ impl Curve {
 
 /// The curves of a run, and which contender is on which.
 #[derive(Debug)]
-pub struct Curves {
+pub(crate) struct Curves {
     /// The curves, in the order of [`Run::contenders`].
     pub all: Vec<Curve>,
     /// Every contender, the place of its curve in `all`, and its value on a swept one.
@@ -70,7 +67,7 @@ pub struct Curves {
 
 impl Curves {
     /// The curves of a run. Rows of a size that is not the run's own are curves of their own.
-    pub fn of(run: &Run) -> Self {
+    pub(crate) fn of(run: &Run) -> Self {
         let contenders = run.contenders();
         let curve = |contender: &Contender| Curve::of(contender, run.sweep_of(contender));
         let all = unique(contenders.iter().map(curve));
@@ -84,8 +81,7 @@ impl Curves {
         Self { all, members }
     }
 
-    /// The place of a contender's curve.
-    pub fn place(&self, contender: &Contender) -> usize {
+    pub(crate) fn place(&self, contender: &Contender) -> usize {
         let member = self.members.iter().find(|(known, ..)| known == contender);
         member.map_or(0, |(_, place, _)| *place)
     }

@@ -1,7 +1,7 @@
 //! Numbers as people read them, the same in every output.
 
 /// A count with its thousands set apart: `262,267`.
-pub fn count(value: u64) -> String {
+pub(crate) fn count(value: u64) -> String {
     let digits = value.to_string();
     let mut text = String::with_capacity(digits.len() + digits.len() / 3);
     for (index, digit) in digits.chars().enumerate() {
@@ -14,27 +14,26 @@ pub fn count(value: u64) -> String {
 }
 
 /// A time in milliseconds, to the microsecond: no timer that we read is finer in practice.
-pub fn ms(value: f64) -> String {
+pub(crate) fn ms(value: f64) -> String {
     format!("{value:.3}")
 }
 
-/// Frames per second.
-pub fn fps(value: f64) -> String {
+pub(crate) fn fps(value: f64) -> String {
     format!("{value:.1}")
 }
 
 /// A change in percent, with its sign.
-pub fn percent(value: f64) -> String {
+pub(crate) fn percent(value: f64) -> String {
     format!("{value:+.1} %")
 }
 
 /// How many times as much.
-pub fn factor(value: f64) -> String {
+pub(crate) fn factor(value: f64) -> String {
     format!("×{value:.2}")
 }
 
 /// A value in a table of a paper: as papers have them, whole where it is large.
-pub fn paper_value(value: f64) -> String {
+pub(crate) fn paper_value(value: f64) -> String {
     match value {
         v if v >= 100.0 => format!("{v:.0}"),
         v if v >= 10.0 => format!("{v:.1}"),
@@ -45,7 +44,7 @@ pub fn paper_value(value: f64) -> String {
 
 /// Pixels per verified frame. Only none at all is `0`: a pixel wrong in one frame of a thousand is
 /// still wrong and must not round to nothing.
-pub fn px_per_frame(sum_px: u64, frames: u32) -> String {
+pub(crate) fn px_per_frame(sum_px: u64, frames: u32) -> String {
     if sum_px == 0 {
         return "0".to_owned();
     }
@@ -62,7 +61,7 @@ pub fn px_per_frame(sum_px: u64, frames: u32) -> String {
 
 /// A number of any size in few characters: `257`, `0.35`, `1e-6`. Six digits tell values apart; a whole
 /// number keeps all of its digits.
-pub fn short(value: f64) -> String {
+pub(crate) fn short(value: f64) -> String {
     if value == 0.0 {
         return "0".to_owned();
     }
@@ -82,13 +81,13 @@ pub fn short(value: f64) -> String {
 }
 
 /// A number of things: `1 cell`, `2 cells`.
-pub fn number_of(number: usize, what: &str) -> String {
+pub(crate) fn number_of(number: usize, what: &str) -> String {
     let plural = if number == 1 { "" } else { "s" };
     format!("{} {what}{plural}", count(number as u64))
 }
 
 /// An RFC 3339 time as people read it; as it is, where it is none.
-pub fn date(rfc_3339: &str) -> String {
+pub(crate) fn date(rfc_3339: &str) -> String {
     rfc_3339.parse::<jiff::Timestamp>().map_or_else(
         |_| rfc_3339.to_owned(),
         |time| time.strftime("%-d %B %Y, %H:%M UTC").to_string(),

@@ -9,12 +9,11 @@ use crate::record::RunInfo;
 
 /// Runs of one device with equal settings: one group of columns in a table.
 #[derive(Debug)]
-pub struct Group<'a> {
+pub(crate) struct Group<'a> {
     /// The device, and what tells it from the other groups.
     pub label: String,
     /// Whether the device is a rasteriser in software, whose times say nothing about GPUs.
     pub software: bool,
-    /// Its runs.
     pub runs: Vec<&'a Run>,
 }
 
@@ -64,7 +63,7 @@ fn settings(info: &RunInfo) -> [Setting; 5] {
 /// # Errors
 /// Where settings differ in which runs must agree, unless `force` is set: then such runs are groups
 /// of their own, labelled with what differs.
-pub fn group(runs: &[Run], force: bool) -> Result<Vec<Group<'_>>> {
+pub(crate) fn group(runs: &[Run], force: bool) -> Result<Vec<Group<'_>>> {
     let Some(first) = runs.first() else {
         return Ok(Vec::new());
     };

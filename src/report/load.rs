@@ -1,13 +1,13 @@
 //! What a report asks of a run.
 
 use super::curve::Contender;
-pub use crate::record::Run;
+pub(crate) use crate::record::Run;
 pub(super) use crate::record::unique;
 use crate::record::{MethodRecord, Status, Summary, SweepRecord};
 
 impl Run {
     /// The scene's name for people; its plain name where the run has no other.
-    pub fn scene_title<'a>(&'a self, name: &'a str) -> &'a str {
+    pub(crate) fn scene_title<'a>(&'a self, name: &'a str) -> &'a str {
         let record = self.info.scenes.iter().find(|scene| scene.name == name);
         record
             .map(|scene| scene.title.as_str())
@@ -16,7 +16,7 @@ impl Run {
     }
 
     /// The method's name for people; its id where the run has no other.
-    pub fn method_title<'a>(&'a self, contender: &'a Contender) -> &'a str {
+    pub(crate) fn method_title<'a>(&'a self, contender: &'a Contender) -> &'a str {
         let record = self
             .info
             .methods
@@ -31,7 +31,7 @@ impl Run {
     /// Whom the run compares: in the run's order, then any that only the rows know.
     ///
     /// The place of its [`Curve`](super::curve::Curve) among all curves decides its colour in every plot.
-    pub fn contenders(&self) -> Vec<Contender> {
+    pub(crate) fn contenders(&self) -> Vec<Contender> {
         let listed = self.info.methods.iter().map(|method| Contender {
             method: method.id.clone(),
             variant: method.variant.to_string(),
@@ -39,8 +39,7 @@ impl Run {
         unique(listed.chain(self.summaries.iter().map(|row| self.contender(row))))
     }
 
-    /// Whom a row is about.
-    pub fn contender(&self, row: &Summary) -> Contender {
+    pub(crate) fn contender(&self, row: &Summary) -> Contender {
         let Summary {
             method,
             variant,
@@ -60,8 +59,7 @@ impl Run {
         }
     }
 
-    /// The sweep that a contender is a point of.
-    pub fn sweep_of(&self, contender: &Contender) -> Option<&SweepRecord> {
+    pub(crate) fn sweep_of(&self, contender: &Contender) -> Option<&SweepRecord> {
         let named = |record: &&MethodRecord| {
             record.id == contender.method && record.variant.as_str() == contender.variant
         };
@@ -73,7 +71,7 @@ impl Run {
     }
 
     /// The rows of a scene, in the order of [`Self::contenders`].
-    pub fn rows(&self, scene: &str) -> Vec<&Summary> {
+    pub(crate) fn rows(&self, scene: &str) -> Vec<&Summary> {
         let contenders = self.contenders();
         let mut rows: Vec<&Summary> = self.summaries.iter().filter(|r| r.scene == scene).collect();
         rows.sort_by_key(|row| {
@@ -84,7 +82,7 @@ impl Run {
     }
 
     /// Why nothing of a scene was measured, if one reason says it for all methods: said once, not in every row.
-    pub fn absence(&self, scene: &str) -> Option<(Status, &str)> {
+    pub(crate) fn absence(&self, scene: &str) -> Option<(Status, &str)> {
         let mut rows = self.summaries.iter().filter(|row| row.scene == scene);
         let Some(first) = rows.next() else {
             let record = self
@@ -101,7 +99,7 @@ impl Run {
 
     /// The shortest median shadow time among a scene's rows of this row's size that have no
     /// artifacts: being fast and wrong is no merit.
-    pub fn best_shadow_ms(&self, row: &Summary) -> Option<f64> {
+    pub(crate) fn best_shadow_ms(&self, row: &Summary) -> Option<f64> {
         self.summaries
             .iter()
             .filter(|other| other.scene == row.scene && other.status == Status::Ok)
@@ -112,7 +110,7 @@ impl Run {
     }
 
     /// Whether this row is right and has the scene's best shadow time.
-    pub fn is_best(&self, row: &Summary) -> bool {
+    pub(crate) fn is_best(&self, row: &Summary) -> bool {
         row.status == Status::Ok
             && row.artifact_px == Some(0)
             && row.shadow_ms_median.is_some()

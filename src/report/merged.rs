@@ -14,11 +14,10 @@ use crate::record::RunStatus;
 
 /// Name of the file that says which runs a merged report was made of, and by which such a report is
 /// known.
-pub const MERGED_FILE: &str = "merged.json";
+pub(crate) const MERGED_FILE: &str = "merged.json";
 /// Version of [`MERGED_FILE`]'s layout.
 const FORMAT: u32 = 1;
 
-/// What [`MERGED_FILE`] holds.
 #[derive(Debug, Serialize)]
 struct Merged<'a> {
     format: u32,

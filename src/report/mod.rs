@@ -16,20 +16,20 @@ use anyhow::Result;
 
 use crate::output::write_atomically;
 
-pub mod curve;
-pub mod format;
-pub mod groups;
-pub mod html;
-pub mod load;
-pub mod merged;
-pub mod paper;
-pub mod pareto;
-pub mod plots;
-pub mod results;
+mod curve;
+mod format;
+mod groups;
+mod html;
+mod load;
+mod merged;
+mod paper;
+mod pareto;
+mod plots;
+mod results;
 pub mod stability;
-pub mod table;
+mod table;
 
-pub use load::Run;
+use load::Run;
 pub use merged::write_merged;
 
 /// Name of the Markdown table in a run directory.

@@ -9,15 +9,13 @@ const NOTES: &str = "Times are medians over the measured frames. Pixels are per 
     artifacts are the wrong pixels farther than one pixel from the true shadow boundary. Bold: the \
     shortest shadow time in the scene among the methods without artifacts.";
 
-/// The table as a Markdown document.
-pub fn markdown(run: &Run) -> String {
+pub(crate) fn markdown(run: &Run) -> String {
     if run.summaries.is_empty() {
         return "Nothing was measured.\n".to_owned();
     }
     format!("{}\n{NOTES}\n", table(run).markdown())
 }
 
-/// The table of a run.
 pub(super) fn table(run: &Run) -> Table {
     let pixels = |head| Column::number(head).over("Pixels per verified frame");
     let columns = [

@@ -12,7 +12,6 @@ use crate::report::load::Run;
 use crate::report::pareto::Cloud;
 use crate::variant::Variant;
 
-/// The pictures of a cell.
 const KINDS: [(ImageKind, &str, &str); 3] = [
     (ImageKind::Picture, "Picture", "lit picture"),
     (ImageKind::Mask, "Shadow mask", "shadow mask"),
@@ -66,7 +65,6 @@ fn is_first(curves: &Curves, contender: &Contender) -> bool {
     first.is_some_and(|(first, ..)| first == contender)
 }
 
-/// The gallery; none where the run has no pictures.
 pub(super) fn section(
     run: &Run,
     clouds: &[Cloud],

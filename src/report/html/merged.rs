@@ -11,7 +11,6 @@ use crate::report::load::Run;
 use crate::report::paper::Paper;
 use crate::report::plots::Plot;
 
-/// The page of the groups' runs.
 pub(crate) fn page(groups: &[Group<'_>], papers: &[Paper], plots: &[Plot]) -> String {
     let mut sections: Vec<Section> = papers.iter().flat_map(paper::sections).collect();
     sections.extend(plots_section(&plots.iter().collect::<Vec<_>>()));
@@ -30,7 +29,6 @@ pub(crate) fn page(groups: &[Group<'_>], papers: &[Paper], plots: &[Plot]) -> St
     )
 }
 
-/// The groups, and how many runs each has.
 fn devices(groups: &[Group<'_>]) -> Markup {
     html! {
         dl.facts {

@@ -27,7 +27,7 @@ pub(super) use merged::page as merged_page;
 pub(super) use stability::page as stability_page;
 
 /// The page of a run. Pictures are read from the run directory; one that is missing is left out.
-pub fn page(
+pub(crate) fn page(
     run: &Run,
     papers: &[Paper],
     clouds: &[Cloud],

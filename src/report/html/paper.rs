@@ -6,7 +6,6 @@ use super::shell::{Section, banner, details};
 use crate::report::paper::Paper;
 use crate::report::paper::ledger::{Ledger, SOFTWARE_NOTE};
 
-/// The sections of a paper.
 pub(super) fn sections(paper: &Paper) -> [Section; 2] {
     let published = paper.published;
     let prefix = &published.prefix;

@@ -54,7 +54,6 @@ pub(super) fn size_bytes(path: &Path) -> u64 {
     path.metadata().map_or(0, |data| data.len())
 }
 
-/// A picture that there is.
 pub(super) struct Picture {
     caption: &'static str,
     alt: String,

@@ -8,7 +8,6 @@ use crate::report::format::count;
 use crate::report::load::Run;
 use crate::report::table::{Cell, Column, Table};
 
-/// The provenance section.
 pub(super) fn section(run: &Run) -> Section {
     let info = &run.info;
     let origin = Origin {
@@ -50,7 +49,6 @@ pub(super) struct Origin<'a> {
 }
 
 impl Origin<'_> {
-    /// The section, with the tables of what was run.
     pub(super) fn section(&self, tables: &Markup) -> Section {
         let configuration = html! { "Configuration " code { (self.config_path) } };
         let text = html! { pre { code { (self.config_text) } } };

@@ -10,7 +10,6 @@ use crate::report::load::Run;
 use crate::report::results;
 use crate::report::table::{Cell, Column, Table};
 
-/// The results section.
 pub(super) fn section(run: &Run) -> Section {
     let content = html! {
         @if run.summaries.is_empty() {
@@ -73,7 +72,6 @@ fn stage_medians(run: &Run, row: &Summary) -> Vec<(String, f64)> {
         .collect()
 }
 
-/// Every row and column of the summary, unrounded.
 fn all_figures(run: &Run) -> Markup {
     // Rows in memory cannot fail to be written; one that did would only be missing here.
     let records = summary_records(&run.summaries).unwrap_or_default();

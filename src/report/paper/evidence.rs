@@ -18,11 +18,9 @@ pub(super) struct Ratios<'a> {
     pub(super) list: Vec<Ratio<'a>>,
     /// How many there would be had everything been measured.
     pub(super) possible: usize,
-    /// The series' names for people.
     pub(super) names: [&'a str; 2],
 }
 
-/// The ratio of two cells.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Ratio<'a> {
     pub(super) device: &'a str,
@@ -38,7 +36,6 @@ impl<'a> Evidence<'a> {
         sheet.with_context(|| format!("a claim names table {table}"))
     }
 
-    /// The ratios of `series` over `over` in a table, at the points wanted.
     pub(super) fn ratios(
         &self,
         table: u8,
@@ -90,7 +87,6 @@ impl<'a> Evidence<'a> {
 }
 
 impl<'a> Ratios<'a> {
-    /// Devices, in order.
     pub(super) fn devices(&self) -> Vec<&'a str> {
         let mut devices: Vec<&str> = self.list.iter().map(|ratio| ratio.device).collect();
         devices.dedup();
@@ -106,7 +102,6 @@ impl<'a> Ratios<'a> {
         }
     }
 
-    /// The ratios of a device.
     pub(super) fn of(&self, device: &str) -> impl Iterator<Item = &Ratio<'a>> {
         self.list.iter().filter(move |ratio| ratio.device == device)
     }

@@ -2,29 +2,23 @@
 
 use super::evidence::Ratios;
 
-/// How a claim fares.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Verdict {
+pub(crate) enum Verdict {
     /// The numbers bear it out.
     Reproduced,
     /// The direction is as claimed, the size is not.
     TrendOnly,
     /// The numbers contradict it.
     NotReproduced,
-    /// There are no numbers for it.
     NotMeasured,
 }
 
-/// What numbers say about a claim.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Finding {
-    /// The verdict by the check's rule.
+pub(crate) struct Finding {
     pub verdict: Verdict,
     /// The figure that decides, where there is a single one.
     pub value: Option<f64>,
-    /// What the figure is.
     pub unit: &'static str,
-    /// What was found, for people.
     pub text: String,
     /// On how many comparisons it rests.
     pub pairs: usize,
@@ -35,8 +29,7 @@ pub struct Finding {
 }
 
 impl Verdict {
-    /// The word for people and files.
-    pub fn word(self) -> &'static str {
+    pub(crate) fn word(self) -> &'static str {
         match self {
             Self::Reproduced => "reproduced",
             Self::TrendOnly => "trend only",
@@ -83,7 +76,7 @@ impl Finding {
     }
 
     /// How much it rests on, and how much of that is doubtful.
-    pub fn rests_on(&self) -> String {
+    pub(crate) fn rests_on(&self) -> String {
         let Self {
             pairs, pairs_of, ..
         } = self;

@@ -9,7 +9,6 @@ use super::rules::{CROSSOVER_FACTOR, SHARE_FACTOR, SPEED_UP_FACTOR};
 use crate::report::format::{count, factor, percent};
 
 impl Check {
-    /// What the evidence says.
     pub(super) fn find(&self, evidence: &Evidence<'_>) -> Result<Finding> {
         match self {
             Self::SpeedUp {
@@ -158,7 +157,6 @@ fn crossover(ratios: Ratios<'_>, claimed: f64) -> Finding {
     Finding::new(&[ratios], verdict, text.join("; ")).with_value(value, "triangles at crossover")
 }
 
-/// Triangles and ratio, by ascending triangles.
 fn by_triangles<'a>(ratios: impl Iterator<Item = &'a Ratio<'a>>) -> Vec<At> {
     let mut points: Vec<At> = ratios
         .filter_map(|ratio| Some((ratio.point.number? as f64, ratio.ratio)))

@@ -14,23 +14,18 @@ use crate::table::text;
 
 /// Whose numbers a row of the ledger is about, where they are the paper's.
 const OWN_TABLES: &str = "The paper's own tables";
-/// What the ledger says of a software device.
-pub const SOFTWARE_NOTE: &str = "renders in software: its times say nothing about GPUs, and neither \
+pub(crate) const SOFTWARE_NOTE: &str = "renders in software: its times say nothing about GPUs, and neither \
     do its verdicts.";
 
-/// The claims and what became of them.
 #[derive(Debug)]
-pub struct Ledger {
-    /// In the order of the paper's file.
+pub(crate) struct Ledger {
     pub entries: Vec<Entry>,
     /// The measured devices that render in software.
     pub software: Vec<String>,
 }
 
-/// One claim.
 #[derive(Debug)]
-pub struct Entry {
-    /// What the paper says.
+pub(crate) struct Entry {
     pub claim: Claim,
     /// What its own tables give. Their verdict is left out: a verdict is about a repetition.
     pub paper: Finding,
@@ -38,7 +33,6 @@ pub struct Entry {
     pub devices: Vec<(String, Finding)>,
 }
 
-/// A row of `ledger.csv`.
 #[derive(Debug, Serialize)]
 struct Row<'a> {
     claim: &'a str,
@@ -82,8 +76,7 @@ impl Ledger {
         })
     }
 
-    /// The ledger as CSV, a row for each claim and measurer.
-    pub fn csv(&self) -> Result<String> {
+    pub(crate) fn csv(&self) -> Result<String> {
         let mut rows = Vec::new();
         for Entry {
             claim,
@@ -126,8 +119,7 @@ impl Ledger {
         }
     }
 
-    /// The ledger as a Markdown document.
-    pub fn markdown(&self) -> String {
+    pub(crate) fn markdown(&self) -> String {
         let software = self.software.iter();
         let software = software.map(|device| format!("**{}** {SOFTWARE_NOTE}\n\n", escape(device)));
         let (software, rules) = (software.collect::<String>(), self.rules());
@@ -137,7 +129,7 @@ impl Ledger {
     }
 
     /// The claims as groups of rows, a row a measurer.
-    pub fn table(&self) -> Table {
+    pub(crate) fn table(&self) -> Table {
         let heads = [
             ("Device", ""),
             ("Verdict", ""),
@@ -182,7 +174,7 @@ impl Ledger {
     }
 
     /// Each rule with the claims that are judged by it.
-    pub fn rules(&self) -> Vec<(String, String)> {
+    pub(crate) fn rules(&self) -> Vec<(String, String)> {
         let mut rules: Vec<(String, String)> = Vec::new();
         for Entry { claim, .. } in &self.entries {
             let rule = claim.check.rule();

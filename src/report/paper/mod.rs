@@ -12,14 +12,14 @@ use super::groups::Group;
 use crate::output::{self, remove_stale, write_atomically};
 use published::Publication;
 
-pub mod claims;
-pub mod finding;
-pub mod ledger;
-pub mod published;
-pub mod series;
-pub mod sheet;
-pub mod tables;
-pub mod value;
+pub(crate) mod claims;
+pub(crate) mod finding;
+pub(crate) mod ledger;
+pub(crate) mod published;
+pub(crate) mod series;
+pub(crate) mod sheet;
+pub(crate) mod tables;
+pub(crate) mod value;
 
 mod evidence;
 mod judge;
@@ -27,25 +27,20 @@ mod measured;
 mod numbers;
 mod rules;
 
-pub use ledger::Ledger;
-pub use sheet::Sheet;
+pub(crate) use ledger::Ledger;
+pub(crate) use sheet::Sheet;
 
-/// Name of the folder of the papers' tables in a report.
-pub const PAPER_DIR: &str = "paper";
+pub(crate) const PAPER_DIR: &str = "paper";
 
-/// Runs beside a paper.
 #[derive(Debug)]
-pub struct Paper {
-    /// The paper.
+pub(crate) struct Paper {
     pub published: &'static Publication,
-    /// The tables for which anything was measured.
     pub sheets: Vec<Sheet>,
-    /// The paper's claims and what became of them.
     pub ledger: Ledger,
 }
 
 /// Holds the groups against all papers; those of which they have no cell are left out.
-pub fn compare(groups: &[Group<'_>]) -> Result<Vec<Paper>> {
+pub(crate) fn compare(groups: &[Group<'_>]) -> Result<Vec<Paper>> {
     let papers = published::papers()?.iter();
     papers
         .filter_map(|paper| Paper::compare(paper, groups).transpose())

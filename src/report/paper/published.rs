@@ -17,33 +17,24 @@ use crate::record::Summary;
 static PAPERS: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/src/report/published");
 static NUMBERS: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/results/published");
 
-/// A paper: its tables, figures and claims.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Publication {
-    /// Authors and year in few words.
+pub(crate) struct Publication {
     pub short: String,
-    /// The authors.
     pub authors: String,
-    /// The title.
     pub title: String,
-    /// Year of publication.
     pub year: u16,
-    /// What its tables are of.
     pub quantity: Quantity,
     /// How the names of its files begin in a report.
     pub prefix: String,
     /// The device measured, where its numbers do not name one.
     #[serde(default)]
     pub device: String,
-    /// Its tables.
     pub tables: Vec<Spec>,
     /// Its scenes, by id.
     #[serde(default)]
     pub places: BTreeMap<String, Place>,
-    /// What it compares, by id.
     pub series: BTreeMap<String, Series>,
-    /// What it claims.
     #[serde(default)]
     pub claims: Vec<Claim>,
 }
@@ -51,7 +42,7 @@ pub struct Publication {
 /// What a table's values are.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Quantity {
+pub(crate) enum Quantity {
     /// Frames per second: more is better.
     Fps,
     /// Time of a frame.
@@ -60,19 +51,14 @@ pub enum Quantity {
     ShadowMs,
 }
 
-/// A table of the paper, and the figure that draws it.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Spec {
-    /// The table's number in the paper.
+pub(crate) struct Spec {
     pub number: u8,
-    /// The number of the figure with the same values.
     pub figure: u8,
-    /// What the table shows.
     pub title: String,
     /// What its points are, as an axis is titled.
     pub points: String,
-    /// The file of its numbers.
     pub numbers: String,
     /// The columns of the numbers that, joined by `_`, are the id of a series.
     pub series_columns: Vec<String>,
@@ -91,11 +77,9 @@ pub struct Spec {
     pub at: At,
 }
 
-/// A scene of the paper.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Place {
-    /// Its name for people.
+pub(crate) struct Place {
     pub name: String,
     /// Its name in a sentence; empty where that is the same.
     #[serde(default)]
@@ -108,7 +92,7 @@ pub struct Place {
 ///
 /// # Errors
 /// Where a file is damaged; the tests hold that none is.
-pub fn papers() -> Result<&'static [Publication]> {
+pub(crate) fn papers() -> Result<&'static [Publication]> {
     static ALL: OnceLock<Vec<Publication>> = OnceLock::new();
     if let Some(papers) = ALL.get() {
         return Ok(papers);
@@ -122,14 +106,12 @@ pub fn papers() -> Result<&'static [Publication]> {
     Ok(ALL.get_or_init(|| papers))
 }
 
-/// The text of a file in `results/published/`.
 pub(super) fn numbers(file: &str) -> Result<&'static str> {
     let found = NUMBERS.get_file(file).and_then(|file| file.contents_utf8());
     found.with_context(|| format!("results/published/{file} is missing"))
 }
 
 impl Publication {
-    /// A paper from the text of its file.
     pub(super) fn parse(text: &str) -> Result<Self> {
         let paper: Self = toml::from_str(text)?;
         for table in &paper.tables {
@@ -145,25 +127,22 @@ impl Publication {
         Ok(paper)
     }
 
-    /// What a table compares.
-    pub fn series_of<'a>(&'a self, spec: &'a Spec) -> impl Iterator<Item = &'a Series> {
+    pub(crate) fn series_of<'a>(&'a self, spec: &'a Spec) -> impl Iterator<Item = &'a Series> {
         spec.series.iter().map(|id| &self.series[id])
     }
 
-    /// The name of a table's files, without extension.
-    pub fn table_name(&self, spec: &Spec) -> String {
+    pub(crate) fn table_name(&self, spec: &Spec) -> String {
         format!("{}table{}", self.prefix, spec.number)
     }
 
-    /// The name of a figure's files, without extension.
-    pub fn figure_name(&self, spec: &Spec) -> String {
+    pub(crate) fn figure_name(&self, spec: &Spec) -> String {
         format!("{}figure{}", self.prefix, spec.figure)
     }
 }
 
 impl Quantity {
     /// The column of the published files and of `summary.csv` without its statistic.
-    pub fn column(self) -> &'static str {
+    pub(crate) fn column(self) -> &'static str {
         match self {
             Self::Fps => "fps",
             Self::FrameMs => "frame_ms",
@@ -172,7 +151,7 @@ impl Quantity {
     }
 
     /// Its name for people.
-    pub fn title(self) -> &'static str {
+    pub(crate) fn title(self) -> &'static str {
         match self {
             Self::Fps => "Frames per second",
             Self::FrameMs => "Frame time, ms",
@@ -181,7 +160,7 @@ impl Quantity {
     }
 
     /// Which end is better.
-    pub fn best(self) -> &'static str {
+    pub(crate) fn best(self) -> &'static str {
         match self {
             Self::Fps => "highest",
             Self::FrameMs | Self::ShadowMs => "lowest",
@@ -189,7 +168,7 @@ impl Quantity {
     }
 
     /// A value as a speed: of two, the faster one has the higher speed.
-    pub fn speed(self, value: f64) -> f64 {
+    pub(crate) fn speed(self, value: f64) -> f64 {
         match self {
             Self::Fps => value,
             Self::FrameMs | Self::ShadowMs => 1.0 / value,

@@ -11,7 +11,7 @@ pub(super) const SHARE_FACTOR: f64 = 1.5;
 
 impl Check {
     /// How the verdict is reached.
-    pub fn rule(&self) -> String {
+    pub(crate) fn rule(&self) -> String {
         match self {
             Self::SpeedUp { tables, .. } => {
                 let first = tables.first().copied().unwrap_or_default();

@@ -5,44 +5,34 @@ use serde::Deserialize;
 use crate::record::Summary;
 use crate::variant::Variant;
 
-/// Which cells of a run are meant.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Deserialize)]
 #[serde(deny_unknown_fields, default)]
-pub struct At {
+pub(crate) struct At {
     /// The scene's name; any where empty.
     pub scene: String,
     /// How the scene's name begins.
     pub scene_prefix: String,
-    /// Casting triangles.
     pub triangles: Option<u64>,
     /// How far from that number they may be.
     pub tolerance: u64,
-    /// Objects.
     pub objects: Option<u64>,
 }
 
-/// One thing compared in a table.
 #[derive(Debug, PartialEq, Eq, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Series {
-    /// Its name for people.
+pub(crate) struct Series {
     pub name: String,
-    /// Id of the method that stands for it here.
     pub method: String,
     /// What that method's variant must say, if anything.
     pub needs: Option<Needed>,
-    /// Whether the paper has it.
     #[serde(default = "yes")]
     pub in_paper: bool,
 }
 
-/// A parameter that a variant must have.
 #[derive(Debug, PartialEq, Eq, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Needed {
-    /// Name of the parameter.
+pub(crate) struct Needed {
     pub name: String,
-    /// The value wanted.
     pub value: String,
     /// The value of a variant that does not name the parameter.
     pub default: String,
@@ -53,7 +43,6 @@ fn yes() -> bool {
 }
 
 impl At {
-    /// Whether a run's row was measured here.
     pub(super) fn holds(&self, row: &Summary) -> bool {
         let is_near = |triangles: u64| {
             row.triangles

@@ -6,40 +6,31 @@ use super::value::{Mask, Value};
 use crate::report::format::{count, ms};
 use crate::variant::Variant;
 
-/// A table with a group of columns for each device.
 #[derive(Debug, Clone)]
-pub struct Sheet {
-    /// Whose table it is.
+pub(crate) struct Sheet {
     pub paper: &'static Publication,
-    /// Which table it is.
     pub spec: &'static Spec,
-    /// Where its series are measured.
     pub points: Vec<Point>,
     /// The devices: those of the paper first.
     pub columns: Vec<Column>,
 }
 
-/// Where series are measured.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Point {
-    /// Its id in the published numbers.
+pub(crate) struct Point {
     pub id: String,
-    /// Its name for people.
     pub name: String,
     /// Its name in a sentence.
     pub short: String,
     /// The place on a figure's axis, where it is a number.
     pub number: Option<u64>,
-    /// Which cells of a run are measured here.
     pub at: At,
 }
 
 /// What one device has in a table: its group of columns.
 #[derive(Debug, Clone)]
-pub struct Column {
+pub(crate) struct Column {
     /// The device, and what tells it from another group of the same device.
     pub device: String,
-    /// Who measured it.
     pub source: Source,
     /// By series, then by point; `None` where nothing was measured.
     pub values: Vec<Vec<Option<Value>>>,
@@ -49,10 +40,8 @@ pub struct Column {
     pub runs: Vec<String>,
 }
 
-/// Who measured a device.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Source {
-    /// The paper's authors.
+pub(crate) enum Source {
     Paper,
     /// A run of this program; the place in the list of device groups.
     Measured(usize),
@@ -70,13 +59,11 @@ impl Column {
         }
     }
 
-    /// The value of a series at a point.
-    pub fn value(&self, series: usize, point: usize) -> Option<&Value> {
+    pub(crate) fn value(&self, series: usize, point: usize) -> Option<&Value> {
         self.values.get(series)?.get(point)?.as_ref()
     }
 
-    /// All values.
-    pub fn all(&self) -> impl Iterator<Item = &Value> {
+    pub(crate) fn all(&self) -> impl Iterator<Item = &Value> {
         self.values.iter().flatten().flatten()
     }
 
@@ -112,15 +99,13 @@ impl Column {
         self.runs.extend_from_slice(&other.runs);
     }
 
-    /// Whether the paper's authors measured it.
-    pub fn is_published(&self) -> bool {
+    pub(crate) fn is_published(&self) -> bool {
         self.source == Source::Paper
     }
 }
 
 impl Sheet {
-    /// The table's number and what it shows.
-    pub fn title(&self) -> String {
+    pub(crate) fn title(&self) -> String {
         format!("Table {}: {}", self.spec.number, self.spec.title)
     }
 
@@ -152,12 +137,12 @@ impl Sheet {
     }
 
     /// Whether anything was measured for it here.
-    pub fn is_measured(&self) -> bool {
+    pub(crate) fn is_measured(&self) -> bool {
         self.columns.iter().any(|column| !column.is_published())
     }
 
     /// What must be known to read it: marks, layout, variants.
-    pub fn notes(&self) -> Vec<String> {
+    pub(crate) fn notes(&self) -> Vec<String> {
         let within = if self.spec.series_are_rows {
             "in each column"
         } else {

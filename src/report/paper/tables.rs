@@ -10,7 +10,7 @@ use crate::table::text;
 impl Sheet {
     /// The table as CSV: a row for each cell of each device, measured or not. The columns from `device` on are those of
     /// the published files.
-    pub fn csv(&self) -> Result<String> {
+    pub(crate) fn csv(&self) -> Result<String> {
         let tables = self.paper.tables.iter();
         let mut keys: Vec<&str> = Vec::new();
         let series = tables.clone().flat_map(|table| &table.series_columns);
@@ -81,7 +81,7 @@ impl Sheet {
     }
 
     /// The table as a Markdown document.
-    pub fn markdown(&self) -> String {
+    pub(crate) fn markdown(&self) -> String {
         let notes = self.notes();
         let notes = notes.iter().map(|note| format!("- {}\n", escape(note)));
         let notes: String = notes.collect();
@@ -89,7 +89,7 @@ impl Sheet {
     }
 
     /// The table, laid out as in the paper.
-    pub fn table(&self) -> Table {
+    pub(crate) fn table(&self) -> Table {
         let spec = self.spec;
         let series = self.paper.series_of(spec).map(|series| {
             let star = if series.in_paper { "" } else { " *" };

@@ -2,16 +2,13 @@
 
 use crate::report::format::paper_value;
 
-/// One value.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Value {
+pub(crate) struct Value {
     /// In the paper's quantity.
     pub value: f64,
-    /// What is known about what was drawn.
     pub mask: Mask,
     /// Median time for recording a frame on the processor.
     pub record_ms: Option<f64>,
-    /// Draw calls of a frame.
     pub draw_calls: Option<u32>,
     /// Place of its run in its column's list.
     pub run: usize,
@@ -19,14 +16,12 @@ pub struct Value {
 
 /// What is known about the shadow mask behind a value.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Mask {
+pub(crate) enum Mask {
     /// The paper says nothing of it.
     Published,
     /// It agrees with the reference but at most at the true shadow boundary.
     Right,
-    /// It has artifacts.
     Wrong,
-    /// It was not compared with the reference.
     Unverified,
     /// The run was cut off in this cell: its value rests on part of the flight.
     CutShort,
@@ -52,8 +47,7 @@ impl Mask {
         }
     }
 
-    /// The word in the CSV files.
-    pub fn word(self) -> &'static str {
+    pub(crate) fn word(self) -> &'static str {
         match self {
             Self::Published => "",
             Self::Right => "right",

@@ -17,25 +17,20 @@ mod table;
 pub(super) use table::write;
 
 /// Name of the file that holds every point.
-pub const PARETO_FILE: &str = "pareto.csv";
+pub(crate) const PARETO_FILE: &str = "pareto.csv";
 
-/// The points of one chart.
 #[derive(Debug, Clone)]
-pub struct Cloud {
+pub(crate) struct Cloud {
     /// The scene; `None` for the cloud over all scenes.
     pub scene: Option<String>,
     /// A point for each cell or contender, in the run's order.
     pub points: Vec<Point>,
 }
 
-/// A cell of a scene, or a contender over all scenes.
 #[derive(Debug, Clone)]
-pub struct Point {
-    /// Whose point it is.
+pub(crate) struct Point {
     pub contender: Contender,
-    /// The curve that it is on.
     pub curve: Curve,
-    /// Where on the curve, if a sweep made it.
     pub sweep: Option<SweepRecord>,
     /// Median shadow time; over all scenes, the geometric mean of the medians.
     pub shadow_ms: f64,
@@ -55,7 +50,7 @@ pub struct Point {
 
 /// Sums over the verified frames, over all scenes where the point is.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub struct Counts {
+pub(crate) struct Counts {
     /// Lit, but in shadow by the reference.
     pub false_lit: u64,
     /// In shadow, but lit by the reference.
@@ -67,7 +62,6 @@ pub struct Counts {
 }
 
 impl Cloud {
-    /// A cloud whose front is marked.
     fn new(scene: Option<String>, mut points: Vec<Point>) -> Self {
         for (point, by) in dominators(&points).into_iter().enumerate() {
             points[point].dominated_by = by;
@@ -76,7 +70,7 @@ impl Cloud {
     }
 
     /// The places of the front's points, the fastest first; of equally fast ones in the run's order.
-    pub fn front(&self) -> Vec<usize> {
+    pub(crate) fn front(&self) -> Vec<usize> {
         let on_front = |index: &usize| self.points[*index].dominated_by.is_none();
         let mut front: Vec<usize> = (0..self.points.len()).filter(on_front).collect();
         front.sort_by(|a, b| {
@@ -90,7 +84,7 @@ impl Cloud {
 
 /// The clouds of a run: the one over all scenes if there are several, then a cloud for each scene that
 /// has any point.
-pub fn clouds(run: &Run) -> Vec<Cloud> {
+pub(crate) fn clouds(run: &Run) -> Vec<Cloud> {
     let scenes: Vec<Cloud> = run
         .scenes()
         .into_iter()

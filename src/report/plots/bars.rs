@@ -14,7 +14,6 @@ const GROUP_NAME_PX: i32 = 13;
 const UPRIGHT_PX: i32 = 220;
 const MAX_BAR_PX: i32 = 56;
 
-/// A chart of grouped bars.
 #[derive(Debug)]
 pub(super) struct BarChart {
     pub(super) y: Axis,
@@ -43,7 +42,6 @@ pub(super) struct Bar {
     pub(super) whisker: Option<f64>,
 }
 
-/// Where a group of bars stands.
 #[derive(Debug, Clone, Copy)]
 struct Slots {
     /// Left edge of the first bar.

@@ -9,7 +9,6 @@ use plotters::prelude::{
 };
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-/// A place on the canvas in pixels, from the top left.
 pub(super) type Px = (i32, i32);
 
 /// Family name under which the program's own font is registered.
@@ -21,7 +20,6 @@ pub(super) const INK: RGBColor = RGBColor(0x1F, 0x23, 0x28);
 pub(super) const MUTED: RGBColor = RGBColor(0x59, 0x63, 0x6E);
 /// Grid lines.
 pub(super) const GRID: RGBColor = RGBColor(0xE1, 0xE4, 0xE8);
-/// Behind everything.
 pub(super) const PAPER: RGBColor = RGBColor(0xFF, 0xFF, 0xFF);
 
 /// The Pareto front: unlike any colour of a contender.
@@ -45,12 +43,10 @@ const PALETTE: [RGBColor; 7] = [
 /// Markers: as many as are told apart at a glance. Seven colours and six shapes make 42 pairs.
 const MARKERS: usize = 6;
 
-/// The colour of the curve at `index`.
 pub(super) fn color(index: usize) -> RGBColor {
     PALETTE[index % PALETTE.len()]
 }
 
-/// Where text stands with respect to its place.
 pub(super) const LEFT: Pos = Pos {
     h_pos: HPos::Left,
     v_pos: VPos::Center,
@@ -66,7 +62,6 @@ pub(super) const CENTER: Pos = Pos {
     v_pos: VPos::Center,
 };
 
-/// Where a plot is drawn.
 pub(super) struct Canvas<'a, 'b>(pub(super) &'a DrawingArea<SVGBackend<'b>, Shift>);
 
 impl Canvas<'_, '_> {
@@ -142,7 +137,6 @@ impl Canvas<'_, '_> {
     }
 }
 
-/// The program's own font.
 pub(super) fn font(size_px: i32, color: RGBColor) -> TextStyle<'static> {
     (FONT, size_px).into_font().color(&color)
 }

@@ -13,7 +13,6 @@ const EASY: usize = 14;
 /// More than this many lines are a tangle.
 const MOST: usize = 24;
 
-/// The contenders that are shown.
 #[derive(Debug)]
 pub(super) struct Chosen {
     /// What each looks like. Those of one curve share its colour and differ in their markers.

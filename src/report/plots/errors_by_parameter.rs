@@ -18,7 +18,6 @@ const FEWEST: usize = 3;
 /// Dashes of the lines of artifacts.
 const DASH_PX: i32 = 5;
 
-/// A figure for each scene and swept parameter.
 pub(super) fn figures(run: &Run, clouds: &[Cloud]) -> Vec<Figure> {
     let curves = Curves::of(run);
     let mut figures: Vec<Figure> = Vec::new();

@@ -19,7 +19,6 @@ pub(super) struct Room {
     pub(super) bottom: i32,
 }
 
-/// The frame of a chart, in pixels, and its axes.
 pub(super) struct Frame {
     pub(super) left: i32,
     pub(super) right: i32,
@@ -59,7 +58,6 @@ impl Frame {
         })
     }
 
-    /// The place of a pair of values.
     pub(super) fn place(&self, (x, y): (f64, f64)) -> Px {
         use plotters::coord::CoordTranslate as _;
         self.axes.translate(&(x, y))

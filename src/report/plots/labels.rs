@@ -38,7 +38,6 @@ const DIRECTIONS: [(f64, f64); 16] = [
     (-1.0, 0.5),
 ];
 
-/// A rectangle in pixels.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Rect {
     pub(super) left: i32,
@@ -55,7 +54,6 @@ pub(super) struct Anchor {
     pub(super) size: Px,
 }
 
-/// Where a name goes.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Placed {
     pub(super) rect: Rect,
@@ -91,7 +89,6 @@ impl Rect {
         )
     }
 
-    /// Whether a line passes through it.
     fn is_crossed_by(&self, [from, to]: [Px; 2]) -> bool {
         let (dx, dy) = (f64::from(to.0 - from.0), f64::from(to.1 - from.1));
         let (mut enter, mut leave) = (0.0_f64, 1.0_f64);

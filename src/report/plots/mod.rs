@@ -37,7 +37,7 @@ mod shadow_time_by_scene;
 mod shadow_time_by_triangles;
 
 /// Name of the folder of plots in a run directory.
-pub const PLOTS_DIR: &str = "plots";
+pub(crate) const PLOTS_DIR: &str = "plots";
 /// How the names of plots begin that depend on the scenes of a run.
 const SCENE_PLOT_PREFIXES: [&str; 2] = [pareto::PREFIX, errors_by_parameter::PREFIX];
 
@@ -47,16 +47,12 @@ const SIZE_PX: (u32, u32) = (900, 560);
 /// Pixels of a PNG for each of a plot: small text needs them.
 const PNG_SCALE: u32 = 2;
 
-/// One plot of a run.
 #[derive(Debug)]
-pub struct Plot {
+pub(crate) struct Plot {
     /// File name without extension.
     pub name: String,
-    /// What it shows, in a line.
     pub title: String,
-    /// The plot as an SVG document.
     pub svg: String,
-    /// Whether it shows accuracy against speed.
     pub is_pareto: bool,
 }
 
@@ -95,7 +91,7 @@ impl Chart {
 }
 
 /// Every plot that the run has data for.
-pub fn draw(run: &Run) -> Result<Vec<Plot>> {
+pub(crate) fn draw(run: &Run) -> Result<Vec<Plot>> {
     let mut figures = shadow_time_by_triangles::figures(run);
     figures.extend(shadow_time_by_scene::figure(run));
     figures.extend(flight::figures(run));
@@ -103,14 +99,14 @@ pub fn draw(run: &Run) -> Result<Vec<Plot>> {
 }
 
 /// Accuracy against speed, a plot for each cloud; then wrong pixels by each swept parameter.
-pub fn draw_pareto(run: &Run, clouds: &[Cloud]) -> Result<Vec<Plot>> {
+pub(crate) fn draw_pareto(run: &Run, clouds: &[Cloud]) -> Result<Vec<Plot>> {
     let figures = pareto::figures(run, clouds).into_iter();
     let by_parameter = errors_by_parameter::figures(run, clouds);
     figures.chain(by_parameter).map(Plot::new).collect()
 }
 
 /// The figures of papers: their curves and the measured ones in one picture.
-pub fn draw_papers(papers: &[Paper]) -> Result<Vec<Plot>> {
+pub(crate) fn draw_papers(papers: &[Paper]) -> Result<Vec<Plot>> {
     let figures = papers.iter().flat_map(paper::figures);
     figures.map(Plot::new).collect()
 }
@@ -165,7 +161,7 @@ impl Plot {
     }
 
     /// Writes the plot as a PNG to `path`.
-    pub fn write_png(&self, path: &Path) -> Result<()> {
+    pub(crate) fn write_png(&self, path: &Path) -> Result<()> {
         let unreadable = || format!("cannot draw {} as a PNG", self.name);
         let tree = Tree::from_str(&self.svg, png_options()).with_context(unreadable)?;
         let size = tree.size().to_int_size();

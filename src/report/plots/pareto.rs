@@ -23,7 +23,6 @@ const CURVE_NAME_CHARS: usize = 60;
 /// A swept parameter with a name this short stands before its value: `pcf 3`, but `1024`.
 const SHORT_PARAMETER: usize = 4;
 
-/// A figure for each cloud.
 pub(super) fn figures(run: &Run, clouds: &[Cloud]) -> Vec<Figure> {
     let curves = Curves::of(run);
     let figure = |cloud| figure(run, cloud, &curves);

@@ -15,7 +15,6 @@ use super::sample_row::{self, CAP_PX, Sample};
 pub(super) const SIZE_PX: (u32, u32) = (1200, 800);
 const NAME_PX: i32 = 13;
 
-/// A scatter chart; less is better on both axes.
 #[derive(Debug)]
 pub(super) struct ScatterChart {
     pub(super) x: Axis,
@@ -29,7 +28,6 @@ pub(super) struct ScatterChart {
     pub(super) interval: &'static str,
 }
 
-/// A named point.
 #[derive(Debug)]
 pub(super) struct Dot {
     pub(super) at: (f64, f64),
@@ -149,7 +147,6 @@ impl ScatterChart {
         order.into_iter().zip(placed).collect()
     }
 
-    /// Every line that a name had better not lie over.
     fn lines(&self, frame: &Frame) -> Vec<[Px; 2]> {
         let curves = self.curves.iter();
         let paths = curves.map(|curve| self.path(frame, &curve.dots));

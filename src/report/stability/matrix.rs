@@ -5,25 +5,21 @@ use crate::record::stress::{CauseRecord, DeclaredCause, Outcome, StressMethod, S
 
 /// A row a cause, a column a method.
 #[derive(Debug, Clone)]
-pub struct Matrix<'a> {
+pub(crate) struct Matrix<'a> {
     /// The methods, one a column.
     pub methods: &'a [StressMethod],
-    /// The causes, one a row.
     pub lines: Vec<Line<'a>>,
 }
 
-/// The row of a cause.
 #[derive(Debug, Clone)]
-pub struct Line<'a> {
-    /// The cause.
+pub(crate) struct Line<'a> {
     pub cause: &'a CauseRecord,
-    /// One for each method.
     pub cells: Vec<Cell<'a>>,
 }
 
 /// How a method bears a cause.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Cell<'a> {
+pub(crate) enum Cell<'a> {
     /// The run was interrupted before.
     Untried,
     /// It can draw no scene of the cause.
@@ -38,14 +34,11 @@ pub enum Cell<'a> {
         /// Whether the run was interrupted before the last value.
         cut_off: bool,
     },
-    /// It fails.
     Fails(Failure<'a>),
 }
 
-/// Where a method fails.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Failure<'a> {
-    /// At the first failing value.
+pub(crate) struct Failure<'a> {
     pub first: &'a StressRow,
     /// Where it has the most artifact pixels.
     pub worst: &'a StressRow,
@@ -56,10 +49,8 @@ pub struct Failure<'a> {
 /// A failure that a method declares and that did not come: the picture at the first value tried from there on
 /// is right.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Unseen<'a> {
-    /// The method.
+pub(crate) struct Unseen<'a> {
     pub method: &'a StressMethod,
-    /// What it declares.
     pub declared: &'a DeclaredCause,
     /// The value tried at which it is right.
     pub value: f64,
@@ -69,7 +60,7 @@ pub struct Unseen<'a> {
 
 /// How many pictures came out how.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub struct Counts {
+pub(crate) struct Counts {
     /// As right as the method promises.
     pub right: usize,
     /// Wrong by a limit that the method declares.
@@ -83,28 +74,26 @@ pub struct Counts {
 }
 
 impl Counts {
-    /// All pictures.
-    pub fn all(self) -> usize {
+    pub(crate) fn all(self) -> usize {
         self.right + self.declared + self.undeclared + self.unavailable + self.failed
     }
 }
 
 impl<'a> Failure<'a> {
     /// The failures that are shown: the first, and the first undeclared one if that is another.
-    pub fn shown(&self) -> impl Iterator<Item = &'a StressRow> + use<'a> {
+    pub(crate) fn shown(&self) -> impl Iterator<Item = &'a StressRow> + use<'a> {
         let later = self.undeclared.filter(|row| row.value != self.first.value);
         [self.first].into_iter().chain(later)
     }
 
     /// Whether no limit declares the very first failure.
-    pub fn begins_undeclared(&self) -> bool {
+    pub(crate) fn begins_undeclared(&self) -> bool {
         is_undeclared(self.first)
     }
 }
 
 impl<'a> Cell<'a> {
-    /// The failure, if it is one.
-    pub fn failure(&self) -> Option<&Failure<'a>> {
+    pub(crate) fn failure(&self) -> Option<&Failure<'a>> {
         match self {
             Self::Fails(failure) => Some(failure),
             _ => None,
@@ -149,7 +138,7 @@ pub(in crate::report) fn is_failure(row: &StressRow) -> bool {
 
 impl StressRun {
     /// Where each method begins to fail.
-    pub fn matrix(&self) -> Matrix<'_> {
+    pub(crate) fn matrix(&self) -> Matrix<'_> {
         let line = |cause| {
             let cell = |method| Cell::of(cause, &self.rows_of(cause, method));
             Line {
@@ -164,7 +153,7 @@ impl StressRun {
     }
 
     /// The pictures of a cause by a method, values ascending.
-    pub fn rows_of(&self, cause: &CauseRecord, method: &StressMethod) -> Vec<&StressRow> {
+    pub(crate) fn rows_of(&self, cause: &CauseRecord, method: &StressMethod) -> Vec<&StressRow> {
         let is_of = |row: &&StressRow| {
             row.cause == cause.id && row.method == method.id && row.variant == method.variant
         };
@@ -174,7 +163,7 @@ impl StressRun {
     }
 
     /// What methods declare and this run has not seen where they say: the limit may be gone, or begin later.
-    pub fn unseen(&self) -> Vec<Unseen<'_>> {
+    pub(crate) fn unseen(&self) -> Vec<Unseen<'_>> {
         let of = |method| {
             let unseen = |declared| self.unseen_by(method, declared);
             let declared: &[DeclaredCause] = &method.declared;
@@ -205,8 +194,7 @@ impl StressRun {
         })
     }
 
-    /// How many pictures came out how.
-    pub fn counts(&self) -> Counts {
+    pub(crate) fn counts(&self) -> Counts {
         let mut counts = Counts::default();
         for row in &self.rows {
             *match row.outcome {

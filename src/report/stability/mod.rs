@@ -6,11 +6,11 @@
 mod matrix;
 mod text;
 
-pub use crate::record::StressRun;
-pub use matrix::{Cell, Counts, Failure, Line, Matrix, Unseen};
+pub(crate) use crate::record::StressRun;
+pub(crate) use matrix::{Cell, Failure, Line, Matrix, Unseen};
 
 /// Name of the Markdown matrix in the directory of a stress run.
-pub const MATRIX_FILE: &str = "matrix.md";
+pub(crate) const MATRIX_FILE: &str = "matrix.md";
 
 #[cfg(test)]
 mod fixture;

@@ -1,5 +1,6 @@
 use super::fixture::{info, rows, write, write_picture};
-use super::{Counts, MATRIX_FILE, StressRun};
+use super::matrix::Counts;
+use super::{MATRIX_FILE, StressRun};
 use crate::record::stress::{DeclaredCause, ROWS_FILE, STRESS_FILE, StressInfo, StressMethod};
 use crate::report::{HTML_FILE, LegendEntry, write_stability};
 use std::fs;

@@ -10,7 +10,7 @@ const NOTES: &str = "A cell says the first value at which the method fails, and 
 
 impl StressRun {
     /// The matrix for a terminal: methods are numbered columns, their names a legend below.
-    pub fn matrix_text(&self) -> String {
+    pub(crate) fn matrix_text(&self) -> String {
         let matrix = self.matrix();
         let numbers = (1..=matrix.methods.len()).map(|number| Column::number(number.to_string()));
         let columns = [Column::text("cause")].into_iter().chain(numbers);
@@ -32,7 +32,7 @@ impl StressRun {
     }
 
     /// The matrix as a Markdown document.
-    pub fn matrix_markdown(&self) -> String {
+    pub(crate) fn matrix_markdown(&self) -> String {
         let matrix = self.matrix();
         let methods = matrix
             .methods
@@ -64,7 +64,7 @@ impl StressRun {
     }
 
     /// What the run is about.
-    pub fn title(&self) -> &str {
+    pub(crate) fn title(&self) -> &str {
         match self.info.title.trim() {
             "" => "Stress run",
             title => title,

@@ -3,12 +3,10 @@
 use maud::Markup;
 
 /// What stands where there is nothing to say.
-pub const DASH: &str = "–";
+pub(crate) const DASH: &str = "–";
 
-/// The content of one cell.
 #[derive(Debug, Clone, Default)]
-pub struct Cell {
-    /// In the order in which they are read.
+pub(crate) struct Cell {
     pub parts: Vec<Part>,
     /// Class on the page, beside its column's; may be empty.
     pub class: String,
@@ -18,8 +16,7 @@ pub struct Cell {
 
 /// A piece of a cell.
 #[derive(Debug, Clone)]
-pub enum Part {
-    /// Plain text.
+pub(crate) enum Part {
     Text(String),
     /// What is written in files and commands.
     Code(String),
@@ -36,28 +33,24 @@ pub enum Part {
 }
 
 impl Cell {
-    /// What is written in files and commands.
-    pub fn code(text: impl Into<String>) -> Self {
+    pub(crate) fn code(text: impl Into<String>) -> Self {
         Self::default().with(Part::Code(text.into()))
     }
 
-    /// The best of its kind.
-    pub fn strong(text: impl Into<String>) -> Self {
+    pub(crate) fn strong(text: impl Into<String>) -> Self {
         Self::default().with(Part::Strong(text.into()))
     }
 
-    /// A link to the place `id` of the page.
-    pub fn link(id: impl Into<String>, text: impl Into<String>) -> Self {
+    pub(crate) fn link(id: impl Into<String>, text: impl Into<String>) -> Self {
         Self::default().with(Part::Link(id.into(), text.into()))
     }
 
-    /// What only the page can show.
-    pub fn drawn(markup: Markup) -> Self {
+    pub(crate) fn drawn(markup: Markup) -> Self {
         Self::default().with(Part::Drawn(markup))
     }
 
     /// The id of a method and its variant, which may be empty.
-    pub fn method(id: &str, variant: &str) -> Self {
+    pub(crate) fn method(id: &str, variant: &str) -> Self {
         let cell = Self::code(id);
         if variant.is_empty() {
             cell
@@ -66,25 +59,21 @@ impl Cell {
         }
     }
 
-    /// The cell, with a line below in small type.
-    pub fn small(self, text: impl Into<String>) -> Self {
+    pub(crate) fn small(self, text: impl Into<String>) -> Self {
         self.with(Part::Small(text.into()))
     }
 
-    /// The cell, with one more part.
-    pub fn with(mut self, part: Part) -> Self {
+    pub(crate) fn with(mut self, part: Part) -> Self {
         self.parts.push(part);
         self
     }
 
-    /// The cell, with a class on the page.
-    pub fn class(self, class: impl Into<String>) -> Self {
+    pub(crate) fn class(self, class: impl Into<String>) -> Self {
         let class = class.into();
         Self { class, ..self }
     }
 
-    /// The cell, with what a pointer over it is told.
-    pub fn tooltip(self, tooltip: &str) -> Self {
+    pub(crate) fn tooltip(self, tooltip: &str) -> Self {
         let tooltip = tooltip.to_owned();
         Self { tooltip, ..self }
     }

@@ -5,8 +5,7 @@ use maud::{Markup, PreEscaped, html};
 use super::{Cell, Column, Group, Part, Row, Table};
 
 impl Table {
-    /// The table as it stands on a page.
-    pub fn html(&self) -> Markup {
+    pub(crate) fn html(&self) -> Markup {
         html! {
             div.scroll tabindex="0" role="region" aria-label=(self.label) {
                 table class=[some(self.class)] {
@@ -115,7 +114,7 @@ impl Column {
 
 impl Cell {
     /// Its parts, one after the other.
-    pub fn html(&self) -> Markup {
+    pub(crate) fn html(&self) -> Markup {
         html! {
             @for part in &self.parts {
                 @match part {

@@ -6,7 +6,7 @@ use super::{Cell, Column, Part, Row, Table};
 const MIN_WIDTH: usize = 3;
 
 /// `text` on one line, with the characters escaped that Markdown would read as markup.
-pub fn escape(text: &str) -> String {
+pub(crate) fn escape(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for c in text.chars() {
         match c {
@@ -21,7 +21,7 @@ pub fn escape(text: &str) -> String {
 impl Table {
     /// The table as Markdown, every column as wide as its widest cell; but the last one, where it holds text, as
     /// wide as its head, lest one long text make every line too long for a terminal.
-    pub fn markdown(&self) -> String {
+    pub(crate) fn markdown(&self) -> String {
         let mut rows = Vec::new();
         for group in &self.groups {
             let mut cells = group.rows.as_slice();

@@ -2,36 +2,22 @@
 //!
 //! A [`Table`] has [`Column`]s and [`Group`]s of [`Row`]s. A [`Cell`] is a line of [`Part`]s, each with a role (code,
 //! a remark in small type), which every renderer shows in its own way.
-//!
-//! ```
-//! use svbench::report::table::{Column, Table};
-//!
-//! let columns = [Column::text("Scene"), Column::number("Frame").unit("ms")];
-//! let mut table = Table::new("Frame times", columns);
-//! table.push(["sponza".into(), "1.25".into()]);
-//! assert_eq!(table.markdown(), "\
-//! | Scene  | Frame ms |
-//! | ------ | -------: |
-//! | sponza |     1.25 |
-//! ");
-//! ```
 
 mod cell;
 mod html;
 mod markdown;
 mod text;
 
-pub use cell::{Cell, DASH, Part};
-pub use markdown::escape;
+pub(crate) use cell::{Cell, DASH, Part};
+pub(crate) use markdown::escape;
 
 /// A table, before it is anything to read.
 #[derive(Debug, Clone)]
-pub struct Table {
+pub(crate) struct Table {
     /// What it shows, for those who cannot see it.
     pub label: String,
     /// Its class on the page, if the style sheet knows one.
     pub class: &'static str,
-    /// Its columns.
     pub columns: Vec<Column>,
     /// Its rows, in groups; most tables have one group.
     pub groups: Vec<Group>,
@@ -39,12 +25,10 @@ pub struct Table {
     pub foot: Option<Row>,
 }
 
-/// A column.
 #[derive(Debug, Clone)]
-pub struct Column {
+pub(crate) struct Column {
     /// What stands over its head and those of its neighbours; may be empty.
     pub over: Cell,
-    /// Its head.
     pub head: Cell,
     /// Its head in renderings with one line of heads, where that must say more.
     pub plain: Option<String>,
@@ -52,32 +36,28 @@ pub struct Column {
     pub is_text: bool,
     /// Whether its cells are the heads of their rows.
     pub is_head: bool,
-    /// The class of its cells.
     pub class: &'static str,
 }
 
 /// Rows that belong together.
 #[derive(Debug, Clone, Default)]
-pub struct Group {
+pub(crate) struct Group {
     /// What they have in common, if anything is said of it.
     pub head: Option<GroupHead>,
-    /// The rows.
     pub rows: Vec<Row>,
 }
 
 /// The line above a group.
 #[derive(Debug, Clone)]
-pub struct GroupHead {
+pub(crate) struct GroupHead {
     /// Over the whole width of the page's table.
     pub wide: Cell,
     /// In the columns of other renderings, from the first one on.
     pub plain: Vec<Cell>,
 }
 
-/// A row.
 #[derive(Debug, Clone, Default)]
-pub struct Row {
-    /// Its cells.
+pub(crate) struct Row {
     pub cells: Vec<Cell>,
     /// Why its numbers are absent or to be doubted; may be empty.
     pub reason: String,
@@ -89,7 +69,7 @@ pub struct Row {
 
 impl Table {
     /// A table without rows.
-    pub fn new(label: impl Into<String>, columns: impl IntoIterator<Item = Column>) -> Self {
+    pub(crate) fn new(label: impl Into<String>, columns: impl IntoIterator<Item = Column>) -> Self {
         Self {
             label: label.into(),
             class: "",
@@ -99,13 +79,11 @@ impl Table {
         }
     }
 
-    /// The table, with a class on the page.
-    pub fn class(self, class: &'static str) -> Self {
+    pub(crate) fn class(self, class: &'static str) -> Self {
         Self { class, ..self }
     }
 
-    /// Adds a row to the last group.
-    pub fn push(&mut self, row: impl Into<Row>) {
+    pub(crate) fn push(&mut self, row: impl Into<Row>) {
         if self.groups.is_empty() {
             self.groups.push(Group::default());
         }
@@ -114,14 +92,13 @@ impl Table {
         }
     }
 
-    /// Adds many rows.
-    pub fn extend<R: Into<Row>>(mut self, rows: impl IntoIterator<Item = R>) -> Self {
+    pub(crate) fn extend<R: Into<Row>>(mut self, rows: impl IntoIterator<Item = R>) -> Self {
         rows.into_iter().for_each(|row| self.push(row));
         self
     }
 
     /// Begins a group of rows.
-    pub fn begin(&mut self, wide: Cell, plain: Vec<Cell>) {
+    pub(crate) fn begin(&mut self, wide: Cell, plain: Vec<Cell>) {
         let head = Some(GroupHead { wide, plain });
         self.groups.push(Group {
             head,
@@ -131,8 +108,7 @@ impl Table {
 }
 
 impl Column {
-    /// A column of text.
-    pub fn text(head: impl Into<Cell>) -> Self {
+    pub(crate) fn text(head: impl Into<Cell>) -> Self {
         Self {
             over: Cell::default(),
             head: head.into(),
@@ -143,8 +119,7 @@ impl Column {
         }
     }
 
-    /// A column of numbers.
-    pub fn number(head: impl Into<Cell>) -> Self {
+    pub(crate) fn number(head: impl Into<Cell>) -> Self {
         Self {
             is_text: false,
             ..Self::text(head)
@@ -152,7 +127,7 @@ impl Column {
     }
 
     /// A first column, whose cells are the heads of their rows.
-    pub fn heads(head: impl Into<Cell>, class: &'static str) -> Self {
+    pub(crate) fn heads(head: impl Into<Cell>, class: &'static str) -> Self {
         Self {
             is_head: true,
             class,
@@ -161,29 +136,27 @@ impl Column {
     }
 
     /// What its numbers are counted in.
-    pub fn unit(mut self, unit: &str) -> Self {
+    pub(crate) fn unit(mut self, unit: &str) -> Self {
         self.head = self.head.small(unit);
         self
     }
 
     /// What stands above.
-    pub fn over(self, over: impl Into<Cell>) -> Self {
+    pub(crate) fn over(self, over: impl Into<Cell>) -> Self {
         Self {
             over: over.into(),
             ..self
         }
     }
 
-    /// Its head where there is one line of heads.
-    pub fn plain(self, plain: impl Into<String>) -> Self {
+    pub(crate) fn plain(self, plain: impl Into<String>) -> Self {
         Self {
             plain: Some(plain.into()),
             ..self
         }
     }
 
-    /// The class of its cells on the page.
-    pub fn class(self, class: &'static str) -> Self {
+    pub(crate) fn class(self, class: &'static str) -> Self {
         Self { class, ..self }
     }
 }
@@ -204,7 +177,6 @@ impl From<Vec<Cell>> for Row {
 }
 
 impl Column {
-    /// The head in one line.
     fn line(&self) -> String {
         let line = || {
             let head = self.head.line(|_, text| text.replace('\n', " "));

@@ -8,7 +8,7 @@ const GAP: &str = "  ";
 
 impl Table {
     /// The table as text. The first column is repeated in every block.
-    pub fn text(&self) -> String {
+    pub(crate) fn text(&self) -> String {
         let heads = self.columns.iter().map(|column| column.line());
         let mut lines: Vec<Vec<String>> = vec![heads.collect()];
         for row in self.groups.iter().flat_map(|group| &group.rows) {

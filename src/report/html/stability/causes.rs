@@ -13,7 +13,6 @@ use crate::report::html::shell::Section;
 use crate::report::stability::{self, Line, Matrix, StressRun};
 use crate::report::table::{Cell, Column, DASH, Table};
 
-/// The sections of all causes.
 pub(super) fn section(
     run: &StressRun,
     matrix: &Matrix<'_>,

@@ -9,7 +9,6 @@ use crate::report::html::shell::Section;
 use crate::report::stability::{self, Failure, Line, Matrix};
 use crate::report::table::{Cell, Column, DASH, Table};
 
-/// The section of the matrix.
 pub(super) fn section(matrix: &Matrix<'_>) -> Section {
     let content = html! {
         p.note {

@@ -136,7 +136,6 @@ fn origin(run: &StressRun) -> Section {
     origin.section(&html! { h3 { "Methods" } (methods.html()) })
 }
 
-/// The id of a cause's section.
 fn cause_id(line: &Line<'_>) -> String {
     format!("cause-{}", line.cause.id)
 }
