@@ -29,6 +29,7 @@ mod panics;
 pub mod table;
 pub mod toml_array;
 pub mod toml_error;
+pub mod variant;
 
 /// What methods of other crates are written with, in the versions that this one takes.
 pub use {bytemuck, glam, wgpu};

@@ -6,7 +6,7 @@
 
 use crate::output;
 use anyhow::Context;
-use csv::{ByteRecord, StringRecord};
+use csv::StringRecord;
 use serde::Serialize;
 use std::fs::File;
 use std::io::Write;
@@ -56,20 +56,21 @@ pub fn text<T: Serialize>(rows: &[T]) -> anyhow::Result<Vec<u8>> {
     text_of(rows, true)
 }
 
-fn text_of<T: Serialize>(rows: &[T], with_header: bool) -> anyhow::Result<Vec<u8>> {
-    let mut plain = csv::WriterBuilder::new()
-        .has_headers(with_header)
-        .from_writer(Vec::new());
-    rows.iter().try_for_each(|row| plain.serialize(row))?;
-    let plain = plain
-        .into_inner()
-        .map_err(csv::IntoInnerError::into_error)?;
+/// Rows as records, the header first.
+///
+/// # Errors
+/// When a row is none.
+pub fn records<T: Serialize>(rows: &[T]) -> anyhow::Result<Vec<StringRecord>> {
+    records_of(rows, true)
+}
+
+/// All of a file.
+///
+/// # Errors
+/// When the records differ in length.
+pub fn text_of_records(records: &[StringRecord]) -> anyhow::Result<Vec<u8>> {
     let mut guarded = csv::Writer::from_writer(Vec::new());
-    let mut reader = csv::ReaderBuilder::new()
-        .has_headers(false)
-        .from_reader(&*plain);
-    let mut record = ByteRecord::new();
-    while reader.read_byte_record(&mut record)? {
+    for record in records {
         guarded.write_record(record.iter().map(guard))?;
     }
     Ok(guarded
@@ -77,13 +78,29 @@ fn text_of<T: Serialize>(rows: &[T], with_header: bool) -> anyhow::Result<Vec<u8
         .map_err(csv::IntoInnerError::into_error)?)
 }
 
-fn guard(cell: &[u8]) -> Vec<u8> {
-    let mut guarded = Vec::with_capacity(cell.len() + 1);
-    if std::str::from_utf8(cell).is_ok_and(is_formula) {
-        guarded.push(GUARD as u8);
+fn text_of<T: Serialize>(rows: &[T], with_header: bool) -> anyhow::Result<Vec<u8>> {
+    text_of_records(&records_of(rows, with_header)?)
+}
+
+fn records_of<T: Serialize>(rows: &[T], with_header: bool) -> anyhow::Result<Vec<StringRecord>> {
+    let mut plain = csv::WriterBuilder::new()
+        .has_headers(with_header)
+        .from_writer(Vec::new());
+    rows.iter().try_for_each(|row| plain.serialize(row))?;
+    let plain = plain
+        .into_inner()
+        .map_err(csv::IntoInnerError::into_error)?;
+    let mut reader = csv::ReaderBuilder::new()
+        .has_headers(false)
+        .from_reader(&*plain);
+    Ok(reader.records().collect::<Result<_, _>>()?)
+}
+
+fn guard(cell: &str) -> String {
+    match is_formula(cell) {
+        true => format!("{GUARD}{cell}"),
+        false => cell.to_owned(),
     }
-    guarded.extend(cell);
-    guarded
 }
 
 /// A row as it was before it was written.

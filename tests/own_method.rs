@@ -23,7 +23,7 @@ fn a_run_with_it_has_its_rows_and_its_shadows() {
     let mut table = csv::Reader::from_path(out.join("summary.csv")).unwrap();
     let rows: Vec<Summary> = table.deserialize().map(|row| row.unwrap()).collect();
     let of = |method: &str, variant: &str| {
-        let is_it = |row: &&Summary| row.method == method && row.variant == variant;
+        let is_it = |row: &&Summary| row.method == method && row.variant.as_str() == variant;
         let row = rows.iter().find(is_it).expect("a row of each method");
         assert_eq!((row.status, row.reason.as_str()), (Status::Ok, ""));
         assert_eq!(row.frames, 4);

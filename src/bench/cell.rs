@@ -1,14 +1,14 @@
 //! A method on a scene: one cell of a run's matrix, measured or on the way to it.
 
 use super::executor::Prepared;
-use super::measure::Measured;
 use super::time_limit::TimeLimit;
 use crate::config::{MethodPlan, RunPlan};
 use crate::frame::{DepthSetup, GBUFFER_STAGE, SHADE_STAGE};
+use crate::gpu::{FrameTimes, StageTime};
 use crate::judge::NoPicture;
 use crate::methods::ShadowMethod;
 use crate::record::{
-    Cell, FrameError, MethodRecord, Sample, Status, Summary, SweepRecord, pairs_to_text,
+    Cell, MethodRecord, Sample, StageMs, Status, Summary, SweepRecord, VerifiedFrame,
 };
 use crate::scene::Scene;
 
@@ -23,7 +23,7 @@ pub(super) struct CellRun<'a> {
     pub bias: Option<f64>,
     /// What a reader of its results should know.
     pub warnings: Vec<String>,
-    pub errors: Vec<FrameError>,
+    pub verified: Vec<VerifiedFrame>,
     pub samples: Vec<Sample>,
     pub stages: Vec<String>,
 }
@@ -34,6 +34,26 @@ pub(super) enum State {
     Planned,
     Ready,
     Not(Status, String),
+}
+
+/// A frame that was measured.
+pub(super) struct Measured {
+    /// Number of the frame along the flight.
+    pub frame: u32,
+    /// Its time on the flight.
+    pub time_s: f64,
+    /// Its place in the order in which frames were drawn.
+    pub order: u64,
+    /// Its times.
+    pub times: FrameTimes,
+}
+
+impl Measured {
+    /// What the method adds to a frame: everything but G-buffer and shading.
+    pub(super) fn shadow_ms(&self) -> f64 {
+        let shared = self.times.stage_ms(GBUFFER_STAGE) + self.times.stage_ms(SHADE_STAGE);
+        self.times.frame_ms() - shared
+    }
 }
 
 /// What a cell of this method is called in results.
@@ -65,7 +85,7 @@ impl<'a> CellRun<'a> {
             state: State::Planned,
             bias: None,
             warnings: Vec::new(),
-            errors: Vec::new(),
+            verified: Vec::new(),
             samples: Vec::new(),
             stages: Vec::new(),
         }
@@ -88,7 +108,8 @@ impl<'a> CellRun<'a> {
 
     /// It was made ready.
     pub(super) fn ready(&mut self, prepared: Prepared) {
-        self.cell.counters = pairs_to_text(prepared.counters);
+        let counters = prepared.counters.into_iter();
+        self.cell.counters = counters.map(|(n, count)| (n.to_owned(), count)).collect();
         self.warnings = prepared.warnings;
         self.state = State::Ready;
     }
@@ -120,10 +141,16 @@ impl<'a> CellRun<'a> {
     /// The row of a measured frame.
     pub(super) fn sample(&self, measured: &Measured) -> Sample {
         let times = &measured.times;
-        let own = times.stages.iter().map(|stage| stage.name);
-        let own = own
-            .filter(|name| ![GBUFFER_STAGE, SHADE_STAGE].contains(name))
-            .map(|name| (name, times.stage_ms(name)));
+        let own = times
+            .stages
+            .iter()
+            .filter(|stage| ![GBUFFER_STAGE, SHADE_STAGE].contains(&stage.name));
+        let sum = |time: fn(&StageTime) -> f64| own.clone().map(time).sum();
+        let stage = |stage: &StageTime| StageMs {
+            stage: stage.name.to_owned(),
+            device_ms: stage.device_ms,
+            cpu_ms: stage.processor_ms,
+        };
         Sample {
             scene: self.cell.scene.clone(),
             triangles: self.cell.triangles.unwrap_or(0),
@@ -142,7 +169,9 @@ impl<'a> CellRun<'a> {
             cpu_ms: times.cpu_ms,
             record_ms: times.record_ms,
             draw_calls: times.draw_calls,
-            stages: pairs_to_text(own),
+            shadow_device_ms: sum(|stage| stage.device_ms),
+            shadow_cpu_ms: sum(|stage| stage.processor_ms),
+            stages: own.clone().map(stage).collect(),
         }
     }
 
@@ -176,6 +205,6 @@ impl<'a> CellRun<'a> {
             _ if !verified => (Status::Unverified, ""),
             _ => (Status::Ok, ""),
         };
-        Summary::from_samples(&self.cell, &self.samples, &self.errors, status, reason)
+        Summary::from_samples(&self.cell, &self.samples, &self.verified, status, reason)
     }
 }

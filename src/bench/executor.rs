@@ -7,7 +7,7 @@ use crate::frame::DepthSetup;
 use crate::gpu::FrameTimes;
 use crate::judge::{NoPicture, Observer};
 use crate::methods::ShadowMethod;
-use crate::record::{BiasRow, Cell, EdgeRecord, FrameError, ImageKind, RegionRow};
+use crate::record::{BiasRow, Cell, EdgeRecord, ImageKind, RegionRow, VerifiedFrame};
 use crate::scene::Scene;
 use std::time::Instant;
 
@@ -94,10 +94,9 @@ pub(super) struct Prepared {
 }
 
 /// What came of a frame that was compared with the truth.
-#[derive(Default)]
 pub(super) struct Verified {
-    /// The comparison.
-    pub error: FrameError,
+    /// The frame and its metrics.
+    pub frame: VerifiedFrame,
     /// The largest regions of artifact pixels.
     pub regions: Vec<RegionRow>,
     /// Pictures of the frame that are kept.

@@ -244,8 +244,8 @@ fn scene_record(scene: &Scene, edges: Option<EdgeRecord>, failure: Option<String
 
 /// Words on the frame of which the truth can decide least, where that is much.
 fn undecided(scene: &Scene, cells: &[CellRun<'_>]) -> Option<String> {
-    let frames = cells.iter().flat_map(|run| &run.errors);
-    let worst = frames.max_by_key(|frame| frame.ambiguous_px)?;
-    let words = metrics::undecided(worst.ambiguous_px, worst.compared_px)?;
+    let frames = cells.iter().flat_map(|run| &run.verified);
+    let worst = frames.max_by_key(|frame| frame.px("ambiguous_px"))?;
+    let words = metrics::undecided(worst.px("ambiguous_px"), worst.px("compared_px"))?;
     Some(format!("{}, at {:.1} s: {words}", scene.name, worst.time_s))
 }

@@ -8,6 +8,7 @@ use crate::judge::NoPicture;
 use crate::record::run_dir::RunDir;
 use crate::record::{Image, ImageKind, RunDirError};
 use crate::scene::Scene;
+use crate::variant::Variant;
 
 /// Compares every method with the truth in some frames of the flight, and keeps the pictures of the
 /// first. A cell that cannot be compared ends; where the device is lost, all ends. Frames that were compared
@@ -28,7 +29,7 @@ pub(super) fn verify_cells(
     for (frame, time_s) in (0..).zip(watched.plan.verified_times(&scene.flight)) {
         for &depth in &depths {
             let waits = |run: &CellRun<'_>| {
-                run.is_ready() && run.depth() == depth && run.errors.len() <= frame as usize
+                run.is_ready() && run.depth() == depth && run.verified.len() <= frame as usize
             };
             if watched.observer.interrupted() || session.lost().is_some() {
                 return Ok(());
@@ -50,7 +51,8 @@ pub(super) fn verify_cells(
             };
             if frame == 0 && depth == depths[0] {
                 let image = Image::grey(watched.plan.size_px, &truth);
-                dir.write_image((&scene.name, "", ""), ImageKind::Reference, &image)?;
+                let nobody = Variant::default();
+                dir.write_image((&scene.name, "", &nobody), ImageKind::Reference, &image)?;
             }
             for (index, run) in cells.iter_mut().enumerate() {
                 if !waits(run) {
@@ -89,17 +91,12 @@ fn verify(
 /// Keeps what was found.
 fn keep(
     watched: Watched<'_>,
-    verified: Verified,
+    found: Verified,
     run: &mut CellRun<'_>,
     dir: &mut RunDir,
 ) -> Result<(), RunDirError> {
-    let Verified {
-        error,
-        regions,
-        images,
-    } = verified;
     let (cell, size_px) = (&run.cell, watched.plan.size_px);
-    for (kind, pixels) in &images {
+    for (kind, pixels) in &found.images {
         let image = match kind {
             ImageKind::Picture => Image::rgba(size_px, pixels),
             ImageKind::Error => Image::rgb(size_px, pixels),
@@ -107,8 +104,8 @@ fn keep(
         };
         dir.write_image((&cell.scene, &cell.method, &cell.variant), *kind, &image)?;
     }
-    dir.append_errors(&error, &regions)?;
-    run.errors.push(error);
+    dir.append_verified(&found.frame, &found.regions)?;
+    run.verified.push(found.frame);
     watched.observer.advance(1);
     Ok(())
 }

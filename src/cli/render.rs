@@ -8,6 +8,7 @@ use crate::judge::{DeviceScene, Verifier};
 use crate::methods::Registry;
 use crate::metrics::MaskError;
 use crate::record::Image;
+use crate::variant::Variant;
 use anyhow::Context;
 use serde::Serialize;
 use std::path::PathBuf;
@@ -58,7 +59,7 @@ struct Output<'a> {
     triangles: usize,
     objects: usize,
     method: &'a str,
-    variant: String,
+    variant: Variant,
     width: u32,
     height: u32,
     errors: MaskError,

@@ -5,6 +5,7 @@ use super::misplaced::{Misplaced, missing, twice};
 use super::sweep::{Point, expand};
 use crate::methods::{Registration, Registry, ShadowMethod};
 use crate::toml_error;
+use crate::variant::Variant;
 use std::collections::BTreeSet;
 use std::ops::Range;
 use toml::Spanned;
@@ -79,7 +80,7 @@ fn read_entry(
                 // What is valid with the swept parameter is so without it, but for a parameter that
                 // needs another: then the curve has no other name than its method's.
                 let curve = configure(registration, &table, &span);
-                curve.map_or(String::new(), |curve| curve.variant())
+                curve.map_or(Variant::default(), |curve| curve.variant())
             })
         });
         Ok(MethodPlan { method, sweep })

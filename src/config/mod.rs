@@ -12,6 +12,7 @@ pub use scene_lookup::{builtin_scenes, find_scene};
 
 use crate::methods::ShadowMethod;
 use crate::scene::{Flight, ModelSearch, SceneFile};
+use crate::variant::Variant;
 use std::time::Duration;
 
 /// Why a configuration cannot be run. The message names file and place.
@@ -39,7 +40,7 @@ pub struct MethodPlan {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sweep {
     /// Variant of the method without the swept parameter: with the id, the curve's name.
-    pub curve: String,
+    pub curve: Variant,
     /// The swept parameter.
     pub parameter: String,
     /// Its value here.

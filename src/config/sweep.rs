@@ -2,6 +2,7 @@
 
 use super::Sweep;
 use super::misplaced::Misplaced;
+use crate::variant::Variant;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use toml::Spanned;
@@ -42,7 +43,7 @@ pub(super) struct OnCurve<'a> {
 
 impl<'a> OnCurve<'a> {
     /// The sweep, once `variant` has said what the curve's parameters are called.
-    pub(super) fn sweep(self, variant: impl FnOnce(DeTable<'a>) -> String) -> Sweep {
+    pub(super) fn sweep(self, variant: impl FnOnce(DeTable<'a>) -> Variant) -> Sweep {
         Sweep {
             curve: variant(self.table),
             parameter: self.parameter,

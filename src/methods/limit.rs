@@ -2,6 +2,7 @@
 
 use super::MethodInfo;
 use crate::metrics::Label;
+use crate::variant::Variant;
 use serde::Serialize;
 use std::fmt;
 
@@ -67,12 +68,9 @@ impl Limit {
         }
     }
 
-    /// Whether it holds for a variant, see [`super::ShadowMethod::variant`].
-    fn holds(&self, variant: &str) -> bool {
-        let is_set = |(name, value): &(&str, &str)| {
-            let parameters = variant.split(',').filter_map(|pair| pair.split_once('='));
-            parameters.into_iter().any(|pair| pair == (*name, *value))
-        };
+    /// Whether it holds for a variant of its method.
+    fn holds(&self, variant: &Variant) -> bool {
+        let is_set = |(name, value): &(&str, &str)| variant.get(name) == Some(value);
         self.with.is_empty() || self.with.iter().any(is_set)
     }
 
@@ -94,8 +92,8 @@ pub(super) const PRECISION_LIMIT: Limit = Limit {
 };
 
 impl MethodInfo {
-    /// The limits that hold for a variant of the method, see [`super::ShadowMethod::variant`].
-    pub fn limits_of(&self, variant: &str) -> impl Iterator<Item = &'static Limit> {
+    /// The limits that hold for a variant of the method.
+    pub fn limits_of(&self, variant: &Variant) -> impl Iterator<Item = &'static Limit> {
         let limits = self.limits.iter().copied().flatten();
         limits.filter(move |limit| limit.holds(variant))
     }

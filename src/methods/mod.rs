@@ -33,6 +33,7 @@ use crate::frame::{DepthSetup, FrameResources, PreparedMethod};
 use crate::geometry::Topology;
 use crate::gpu::{Capability, DeviceError, Gpu};
 use crate::scene::Scene;
+use crate::variant::Variant;
 use serde::Serialize;
 use std::cell::OnceCell;
 use std::rc::Rc;
@@ -174,26 +175,19 @@ pub struct BiasSearch<'a> {
     pub with_bias: WithBias<'a>,
 }
 
-/// Id and variant of a method as they are written on the command line.
-pub fn full_name(id: &str, variant: &str) -> String {
-    let comma = if variant.is_empty() { "" } else { "," };
-    format!("{id}{comma}{variant}")
-}
-
 /// A method with its parameters.
 pub trait ShadowMethod: Parameters {
     /// What it is.
     fn info(&self) -> &'static MethodInfo;
 
-    /// The parameters that differ from their defaults, `name=value` joined by commas; empty for
-    /// the default variant.
-    fn variant(&self) -> String {
+    /// The parameters that differ from their defaults.
+    fn variant(&self) -> Variant {
         parameters::difference(self.parameters())
     }
 
     /// Id and variant as they are written on the command line: `id,name=value`.
     fn name(&self) -> String {
-        full_name(self.info().id, &self.variant())
+        self.variant().full_name(self.info().id)
     }
 
     /// The depth buffer that its frames are to be drawn with.

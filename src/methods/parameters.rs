@@ -2,6 +2,7 @@
 //! [`parameters!`](crate::parameters!).
 
 use super::domain::Domain;
+use crate::variant::Variant;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::Value;
@@ -84,8 +85,14 @@ impl Parameter {
         text(&self.default)
     }
 
-    /// Whether it is set to what it can be.
+    /// Whether it is set to what it can be, and variants can be told apart by it.
     fn check(&self) -> Result<(), String> {
+        if text(&self.value).contains(',') {
+            let Self { name, value, .. } = self;
+            return Err(format!(
+                "`{name}` is {value}; a value must not have a comma"
+            ));
+        }
         if self.domain.contains(&self.value) {
             return Ok(());
         }
@@ -131,15 +138,11 @@ pub fn read<T: DeserializeOwned>(value: &ParameterValue<'_>) -> Result<T, Parame
     })
 }
 
-/// The parameters that are not at their defaults, `name=value` joined by commas, in the order of their names.
-pub(super) fn difference(mut parameters: Vec<Parameter>) -> String {
+/// The parameters that are not at their defaults, in the order of their names.
+pub(super) fn difference(mut parameters: Vec<Parameter>) -> Variant {
     parameters.sort_by_key(|parameter| parameter.name);
-    parameters
-        .iter()
-        .filter(|parameter| parameter.value != parameter.default)
-        .map(|parameter| format!("{}={}", parameter.name, text(&parameter.value)))
-        .collect::<Vec<_>>()
-        .join(",")
+    let changed = parameters.iter().filter(|p| p.value != p.default);
+    Variant::of(changed.map(|p| (p.name, text(&p.value))))
 }
 
 /// Sets what a table names, and checks it.

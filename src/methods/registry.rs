@@ -4,6 +4,7 @@ use super::parameters::{Parameter, ParameterError, configure};
 use super::{MethodInfo, ShadowMethod};
 use super::{cube_shadow_map, shadow_map, silhouette_gs, silhouette_ts, triangle_gs, triangle_ts};
 use crate::toml_error;
+use crate::variant::{Variant, VariantError};
 use std::collections::BTreeSet;
 use toml::de::{DeTable, ValueDeserializer};
 
@@ -107,11 +108,11 @@ impl Registry {
     pub fn parse(&self, text: &str) -> Result<Box<dyn ShadowMethod>, ParameterError> {
         let (id, rest) = text.split_once(',').unwrap_or((text, ""));
         let registration = self.get(id)?;
+        let variant: Variant = rest.parse().map_err(|error: VariantError| {
+            ParameterError::plain(format!("method `{id}`: {error}"))
+        })?;
         let mut document = String::new();
-        for pair in rest.split(',').filter(|pair| !pair.is_empty()) {
-            let (key, value) = pair.split_once('=').ok_or_else(|| {
-                ParameterError::plain(format!("`{pair}` in `{text}` is not of the form key=value"))
-            })?;
+        for (key, value) in variant.parameters() {
             match ValueDeserializer::parse(value) {
                 Ok(_) => document.push_str(&format!("{key} = {value}\n")),
                 Err(_) => document.push_str(&format!("{key} = {value:?}\n")),
@@ -141,11 +142,11 @@ mod tests {
             for parameter in &known.parameters {
                 let (name, default) = (parameter.name, parameter.default_text());
                 if !parameter.default.is_null() {
-                    assert_eq!(set(name, &default), "", "{id} {name}");
+                    assert_eq!(set(name, &default).as_str(), "", "{id} {name}");
                 }
                 if let super::super::Domain::Choice { choices } = &parameter.domain {
                     for choice in choices.iter().filter(|choice| **choice != default) {
-                        assert_eq!(set(name, choice), format!("{name}={choice}"));
+                        assert_eq!(set(name, choice).as_str(), format!("{name}={choice}"));
                     }
                 }
             }
@@ -159,7 +160,7 @@ mod tests {
             "silhouette_gs,push_back_px=0.5,near=2,max_multiplicity=3,counting=auto,reach=scene";
         let method = registry.parse(text).unwrap();
         assert_eq!(
-            method.variant(),
+            method.variant().as_str(),
             "counting=auto,max_multiplicity=3,near=2.0,push_back_px=0.5"
         );
     }

@@ -12,6 +12,7 @@ mod flip;
 mod label;
 mod labels;
 mod mask_error;
+mod metric;
 mod regions;
 
 #[cfg(test)]
@@ -29,4 +30,5 @@ pub use flip::{PictureSizeError, mean_flip};
 pub use label::Label;
 pub use labels::{Analysis, FrameContext, SEAM_STEPS, TexelLookup, analyse};
 pub use mask_error::{MaskComparison, MaskError, MaskSizeError, PixelResult, Place, undecided};
+pub use metric::{Compute, Findings, METRICS, Metric, MetricValues, OverFrames, find_metric};
 pub use regions::{Region, Sign};

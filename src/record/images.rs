@@ -1,6 +1,7 @@
 //! The names of a run's pictures.
 
-use crate::file_name::{file_name, parameters_file_name};
+use crate::file_name::{file_name, variant_file_name};
+use crate::variant::Variant;
 
 /// What a picture in `images/` shows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -28,7 +29,7 @@ impl ImageKind {
 
 /// The file name of a picture in `images/`: `sponza__silhouette_ts__determinism-none_mask.png`. Each cell has its own,
 /// see [`crate::file_name`].
-pub fn image_name(scene: &str, method: &str, variant: &str, kind: ImageKind) -> String {
+pub fn image_name(scene: &str, method: &str, variant: &Variant, kind: ImageKind) -> String {
     let (scene, suffix) = (file_name(scene), kind.suffix());
     if kind == ImageKind::Reference {
         return format!("{scene}__{suffix}.png");
@@ -37,13 +38,13 @@ pub fn image_name(scene: &str, method: &str, variant: &str, kind: ImageKind) -> 
     if variant.is_empty() {
         format!("{scene}__{method}_{suffix}.png")
     } else {
-        let variant = parameters_file_name(variant);
+        let variant = variant_file_name(variant);
         format!("{scene}__{method}__{variant}_{suffix}.png")
     }
 }
 
 /// The name that versions up to 0.4.0 gave a picture; several scenes might share one.
-pub fn earlier_image_name(scene: &str, method: &str, variant: &str, kind: ImageKind) -> String {
+pub fn earlier_image_name(scene: &str, method: &str, variant: &Variant, kind: ImageKind) -> String {
     let safe = |c: char| c.is_ascii_alphanumeric() || matches!(c, '_' | '-' | '.');
     let earlier = |text: &str| {
         let name: String = text
@@ -56,7 +57,7 @@ pub fn earlier_image_name(scene: &str, method: &str, variant: &str, kind: ImageK
         }
     };
     let (scene, suffix) = (earlier(scene), kind.suffix());
-    match (kind, earlier(method), earlier(variant)) {
+    match (kind, earlier(method), earlier(variant.as_str())) {
         (ImageKind::Reference, ..) => format!("{scene}__{suffix}.png"),
         (_, method, variant) if variant.is_empty() => format!("{scene}__{method}_{suffix}.png"),
         (_, method, variant) => format!("{scene}__{method}__{variant}_{suffix}.png"),
@@ -68,22 +69,26 @@ mod tests {
     use super::ImageKind::{Error, Mask, Reference};
     use super::*;
 
+    fn variant(text: &str) -> Variant {
+        text.parse().unwrap()
+    }
+
     #[test]
     fn image_names_are_safe_and_tell_cells_apart() {
         assert_eq!(
-            image_name("sponza", "ray_query", "", Mask),
+            image_name("sponza", "ray_query", &Variant::default(), Mask),
             "sponza__ray_query_mask.png"
         );
         assert_eq!(
-            image_name("sponza", "shadow_map", "resolution=8192", Error),
+            image_name("sponza", "shadow_map", &variant("resolution=8192"), Error),
             "sponza__shadow_map__resolution-8192_error.png"
         );
         assert_eq!(
-            image_name("sponza", "any", "any", Reference),
+            image_name("sponza", "any", &variant("any=1"), Reference),
             "sponza__reference.png"
         );
         let names = ["a b", "a-b", "a_b", "A-b", "../a", &"x".repeat(300)]
-            .map(|scene| image_name(scene, "m", "k=v", Mask));
+            .map(|scene| image_name(scene, "m", &variant("k=v"), Mask));
         assert!(
             names
                 .iter()
@@ -97,16 +102,16 @@ mod tests {
 
     #[test]
     fn what_was_plain_before_is_called_as_before() {
-        for (scene, variant) in [("sponza", ""), ("sphere_grid_n18", "slope_bias=-0.5,pcf=3")] {
+        for (scene, text) in [("sponza", ""), ("sphere_grid_n18", "slope_bias=-0.5,pcf=3")] {
             for kind in [Mask, Reference] {
                 assert_eq!(
-                    image_name(scene, "shadow_map", variant, kind),
-                    earlier_image_name(scene, "shadow_map", variant, kind)
+                    image_name(scene, "shadow_map", &variant(text), kind),
+                    earlier_image_name(scene, "shadow_map", &variant(text), kind)
                 );
             }
         }
         assert_eq!(
-            earlier_image_name("../../a<b>", "", "", Reference),
+            earlier_image_name("../../a<b>", "", &Variant::default(), Reference),
             "-.-..-a-b-__reference.png"
         );
     }

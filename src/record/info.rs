@@ -1,6 +1,7 @@
 //! Where a run's numbers come from: `run.json`.
 
 use super::FileRecord;
+use crate::variant::Variant;
 use serde::{Deserialize, Serialize};
 
 /// Where a run's numbers come from (`run.json`).
@@ -171,7 +172,7 @@ pub struct MethodRecord {
     /// Id, as in the result rows.
     pub id: String,
     /// Parameters that tell it from its siblings; empty where there is nothing to tell.
-    pub variant: String,
+    pub variant: Variant,
     /// Name for people.
     pub title: String,
     /// Names of the stages timed, in the order in which they run.
@@ -185,7 +186,7 @@ pub struct MethodRecord {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct SweepRecord {
     /// Variant of the method without the swept parameter: with the id, the curve's name.
-    pub curve: String,
+    pub curve: Variant,
     /// The swept parameter.
     pub parameter: String,
     /// Its value here.

@@ -8,15 +8,19 @@
 //! |---|---|
 //! | `run.json` | [`RunInfo`]: where the numbers come from |
 //! | `samples.csv` | a [`Sample`] per measured frame |
+//! | `stages.csv` | a [`StageRow`] per stage of a measured frame |
 //! | `summary.csv` | a [`Summary`] per cell |
-//! | `errors.csv` | a [`FrameError`] per verified frame |
+//! | `counters.csv` | a [`CounterRow`] per counter of a cell |
+//! | `metrics.csv` | a [`MetricRow`] per metric of a verified frame |
 //! | `regions.csv` | a [`RegionRow`] per large region of artifact pixels |
 //! | `bias.csv` | a [`BiasRow`] per cell whose bias was searched for |
 //! | `images/` | pictures, named by [`image_name`] |
 
+mod counter_rows;
 mod errors;
 mod fault;
 mod files;
+mod format1;
 mod image;
 mod images;
 mod info;
@@ -24,11 +28,16 @@ mod pairs;
 pub mod provenance;
 pub(crate) mod read;
 mod rows;
+mod run;
 pub(crate) mod run_dir;
+mod stage_rows;
 pub mod statistics;
 pub mod stress;
+mod stress_run;
+mod verified_frame;
 
-pub use errors::{BiasRow, FrameError, RegionRow};
+pub use counter_rows::{CounterRow, counter_rows};
+pub use errors::{BiasRow, RegionRow};
 pub(crate) use fault::{RunDirError, in_one_line};
 pub use files::{FileRecord, check_files, file_records};
 pub use image::Image;
@@ -37,20 +46,29 @@ pub use info::{
     DeviceRecord, EdgeRecord, HostRecord, MethodRecord, RunInfo, RunStatus, SceneRecord, Status,
     SweepRecord,
 };
-pub use pairs::{pairs_from_text, pairs_to_text, sum_of_counts};
-pub use rows::{Cell, Sample, Summary};
+pub use pairs::{pairs_from_text, pairs_to_text};
+pub use rows::{Cell, Sample, Summary, summary_records};
+pub use run::Run;
+pub(crate) use run::unique;
 pub use run_dir::new_directory;
+pub use stage_rows::{StageMs, StageRow, stage_rows};
+pub use stress_run::StressRun;
+pub use verified_frame::{MetricRow, VerifiedFrame, metric_rows};
 
 /// Version of the run directory's layout; raised when an older reader would misread a newer run.
-pub const FORMAT: u32 = 1;
+pub const FORMAT: u32 = 2;
 /// Name of the file that holds [`RunInfo`].
 pub const RUN_FILE: &str = "run.json";
 /// Name of the file that holds a [`Sample`] per measured frame.
 pub const SAMPLES_FILE: &str = "samples.csv";
 /// Name of the file that holds a [`Summary`] per cell.
 pub const SUMMARY_FILE: &str = "summary.csv";
-/// Name of the file that holds a [`FrameError`] per verified frame.
-pub const ERRORS_FILE: &str = "errors.csv";
+/// Name of the file that holds a [`StageRow`] per stage of a measured frame.
+pub const STAGES_FILE: &str = "stages.csv";
+/// Name of the file that holds a [`CounterRow`] per counter of a cell.
+pub const COUNTERS_FILE: &str = "counters.csv";
+/// Name of the file that holds a [`MetricRow`] per metric of a verified frame.
+pub const METRICS_FILE: &str = "metrics.csv";
 /// Name of the file that holds the largest [`RegionRow`]s of each verified frame.
 pub const REGIONS_FILE: &str = "regions.csv";
 /// Name of the file that holds a [`BiasRow`] per cell whose bias was searched for.

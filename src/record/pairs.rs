@@ -20,18 +20,6 @@ pub fn pairs_from_text<T: FromStr>(text: &str) -> Vec<(&str, T)> {
         .collect()
 }
 
-/// The sum of fields of counts, names in the order in which they come.
-pub fn sum_of_counts<'a>(texts: impl IntoIterator<Item = &'a str>) -> String {
-    let mut sums: Vec<(&str, u64)> = Vec::new();
-    for (name, count) in texts.into_iter().flat_map(pairs_from_text::<u64>) {
-        match sums.iter_mut().find(|(known, _)| *known == name) {
-            Some((_, sum)) => *sum += count,
-            None => sums.push((name, count)),
-        }
-    }
-    pairs_to_text(sums)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -45,11 +33,5 @@ mod tests {
         assert_eq!(pairs_from_text::<u64>(""), []);
         let damaged = pairs_from_text::<u64>("broken;half=;third=1.5;whole=1");
         assert_eq!(damaged, [("whole", 1)]);
-    }
-
-    #[test]
-    fn counts_add_up_by_name() {
-        let sum = sum_of_counts(["1=30;more=2", "", "2=1;more=3"]);
-        assert_eq!(sum, "1=30;more=5;2=1");
     }
 }

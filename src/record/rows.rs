@@ -1,9 +1,12 @@
 //! The rows of `samples.csv` and `summary.csv`.
 
+use crate::variant::Variant;
 use serde::{Deserialize, Serialize};
 
-use super::{FrameError, Status, sum_of_counts};
+use super::{StageMs, Status, VerifiedFrame};
+use crate::metrics::{METRICS, MetricValues};
 use crate::record::statistics::{mean, median, p95};
+use crate::table;
 
 /// One measured frame: a row of `samples.csv`.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
@@ -17,7 +20,7 @@ pub struct Sample {
     /// Id of the method.
     pub method: String,
     /// Variant of the method.
-    pub variant: String,
+    pub variant: Variant,
     /// Width of the picture in pixels.
     pub width: u32,
     /// Height of the picture in pixels.
@@ -44,8 +47,15 @@ pub struct Sample {
     /// Draw calls of the frame; 0 in runs from before they were counted.
     #[serde(default)]
     pub draw_calls: u32,
-    /// The method's stages in milliseconds, as [`pairs_to_text`](super::pairs_to_text) writes them.
-    pub stages: String,
+    /// The part of `shadow_ms` that passed on the device.
+    #[serde(default)]
+    pub shadow_device_ms: f64,
+    /// The part of `shadow_ms` that passed on the processor; 0 in runs from before it was measured.
+    #[serde(default)]
+    pub shadow_cpu_ms: f64,
+    /// The method's stages, which stand in `stages.csv`.
+    #[serde(skip)]
+    pub stages: Vec<StageMs>,
 }
 
 /// One point of a run's matrix, measured or not.
@@ -60,13 +70,13 @@ pub struct Cell {
     /// Id of the method.
     pub method: String,
     /// Variant of the method.
-    pub variant: String,
+    pub variant: Variant,
     /// Width of the picture in pixels.
     pub width: u32,
     /// Height of the picture in pixels.
     pub height: u32,
-    /// What the method counted while it was prepared: `edges=48600;split_edges=0`.
-    pub counters: String,
+    /// What the method counted while it was prepared.
+    pub counters: Vec<(String, u64)>,
 }
 
 /// One cell: a row of `summary.csv`. Numbers are `None`, and their fields empty, where nothing was
@@ -82,7 +92,7 @@ pub struct Summary {
     /// Id of the method.
     pub method: String,
     /// Variant of the method.
-    pub variant: String,
+    pub variant: Variant,
     /// Width of the picture in pixels.
     pub width: u32,
     /// Height of the picture in pixels.
@@ -99,19 +109,19 @@ pub struct Summary {
     pub shadow_ms_p95: Option<f64>,
     /// Median of the G-buffer's time.
     pub gbuffer_ms_median: Option<f64>,
-    /// See [`FrameError::false_lit`].
+    /// The metric of that name.
     pub false_lit: Option<u64>,
-    /// See [`FrameError::false_shadowed`].
+    /// The metric of that name.
     pub false_shadowed: Option<u64>,
-    /// See [`FrameError::artifact_px`].
+    /// The metric of that name.
     pub artifact_px: Option<u64>,
-    /// See [`FrameError::ambiguous_px`].
+    /// The metric of that name.
     pub ambiguous_px: Option<u64>,
     /// What became of the cell.
     pub status: Status,
     /// Why, where it is not [`Status::Ok`].
     pub reason: String,
-    /// See [`FrameError::boundary_px`].
+    /// The metric of that name.
     pub boundary_px: Option<u64>,
     /// Frames compared with the reference.
     pub verified_frames: u32,
@@ -127,27 +137,12 @@ pub struct Summary {
     /// Most draw calls of any measured frame.
     #[serde(default)]
     pub draw_calls: Option<u32>,
-    /// See [`Cell::counters`].
-    #[serde(default)]
-    pub counters: String,
-    /// See [`FrameError::distances`].
-    #[serde(default)]
-    pub distances: String,
-    /// See [`FrameError::distance_px_max`].
-    #[serde(default)]
-    pub distance_px_max: Option<f64>,
-    /// See [`FrameError::labels`].
-    #[serde(default)]
-    pub labels: String,
-    /// See [`FrameError::followed_px`].
-    #[serde(default)]
-    pub followed_px: Option<u64>,
-    /// See [`FrameError::flicker_px`].
-    #[serde(default)]
-    pub flicker_px: Option<u64>,
-    /// Mean of [`FrameError::flip`].
-    #[serde(default)]
-    pub flip_mean: Option<f64>,
+    /// See [`Cell::counters`]; they stand in `counters.csv`.
+    #[serde(skip)]
+    pub counters: Vec<(String, u64)>,
+    /// What the verified frames have together; one column for each metric follows in `summary.csv`.
+    #[serde(skip)]
+    pub metrics: MetricValues,
 }
 
 impl Summary {
@@ -160,7 +155,7 @@ impl Summary {
     pub fn from_samples(
         cell: &Cell,
         samples: &[Sample],
-        errors: &[FrameError],
+        frames: &[VerifiedFrame],
         status: Status,
         reason: &str,
     ) -> Self {
@@ -168,11 +163,8 @@ impl Summary {
         let frame_ms = column(|s| s.frame_ms);
         let shadow_ms = column(|s| s.shadow_ms);
         let total_ms: f64 = frame_ms.iter().sum();
-        let sum = |of: fn(&FrameError) -> Option<u64>| -> Option<u64> {
-            let counts: Vec<u64> = errors.iter().filter_map(of).collect();
-            (!counts.is_empty()).then(|| counts.iter().sum())
-        };
-        let flips: Vec<f64> = errors.iter().filter_map(|e| e.flip).collect();
+        let metrics = frames.iter().map(|frame| &frame.metrics);
+        let metrics = MetricValues::over_frames(METRICS, metrics);
         Self {
             scene: cell.scene.clone(),
             triangles: cell.triangles,
@@ -187,31 +179,47 @@ impl Summary {
             shadow_ms_median: median(&shadow_ms),
             shadow_ms_p95: p95(&shadow_ms),
             gbuffer_ms_median: median(&column(|s| s.gbuffer_ms)),
-            false_lit: sum(|e| Some(e.false_lit)),
-            false_shadowed: sum(|e| Some(e.false_shadowed)),
-            artifact_px: sum(|e| Some(e.artifact_px)),
-            ambiguous_px: sum(|e| Some(e.ambiguous_px)),
+            false_lit: metrics.px("false_lit"),
+            false_shadowed: metrics.px("false_shadowed"),
+            artifact_px: metrics.px("artifact_px"),
+            ambiguous_px: metrics.px("ambiguous_px"),
             status,
             reason: reason.to_owned(),
-            boundary_px: sum(|e| Some(e.boundary_px)),
-            verified_frames: u32::try_from(errors.len()).unwrap_or(u32::MAX),
+            boundary_px: metrics.px("boundary_px"),
+            verified_frames: u32::try_from(frames.len()).unwrap_or(u32::MAX),
             frame_ms_p95: p95(&frame_ms),
             cpu_ms_median: median(&column(|s| s.cpu_ms)),
             frame_ms_mean: mean(&frame_ms),
             record_ms_median: median(&column(|s| s.record_ms)),
             draw_calls: samples.iter().map(|s| s.draw_calls).max(),
             counters: cell.counters.clone(),
-            distances: sum_of_counts(errors.iter().map(|e| &*e.distances)),
-            distance_px_max: errors
-                .iter()
-                .filter_map(|e| e.distance_px_max)
-                .max_by(f64::total_cmp),
-            labels: sum_of_counts(errors.iter().map(|e| &*e.labels)),
-            followed_px: sum(|e| e.followed_px),
-            flicker_px: sum(|e| e.flicker_px),
-            flip_mean: mean(&flips),
+            metrics,
         }
     }
+}
+
+/// `summary.csv`: a header and a record for each cell, with a column for each metric that has no classes.
+///
+/// # Errors
+/// When a row is none.
+pub fn summary_records(rows: &[Summary]) -> anyhow::Result<Vec<csv::StringRecord>> {
+    let mut records = table::records(rows)?;
+    let has = |records: &[csv::StringRecord], name: &str| {
+        let mut header = records.iter().take(1).flatten();
+        header.any(|known| known == name)
+    };
+    for metric in METRICS.iter().copied().flatten() {
+        let Some(column) = metric.column().filter(|column| !has(&records, column)) else {
+            continue;
+        };
+        let values = rows.iter().map(|row| row.metrics.get(metric.name));
+        let values = values.map(|value| value.map_or(String::new(), |value| value.to_string()));
+        let fields = std::iter::once(column).chain(values);
+        for (record, field) in records.iter_mut().zip(fields) {
+            record.push_field(&field);
+        }
+    }
+    Ok(records)
 }
 
 #[cfg(test)]
@@ -235,14 +243,20 @@ mod tests {
             triangles: Some(12),
             ..Cell::default()
         };
-        let wrong = FrameError {
-            false_lit: 3,
-            labels: "leak=3".into(),
-            distance_px_max: Some(7.5),
-            flip: Some(0.5),
-            ..FrameError::default()
+        let frame = |metrics: &[(&str, f64)]| VerifiedFrame {
+            metrics: metrics.iter().copied().collect(),
+            ..VerifiedFrame::default()
         };
-        let errors = [FrameError::default(), wrong];
+        let errors = [
+            frame(&[("false_lit", 0.0), ("false_shadowed", 0.0)]),
+            frame(&[
+                ("false_lit", 3.0),
+                ("false_shadowed", 0.0),
+                ("label.leak", 3.0),
+                ("distance_px_max", 7.5),
+                ("flip", 0.5),
+            ]),
+        ];
         let samples = [sample(10.0, 4.0), sample(20.0, 8.0), sample(30.0, 6.0)];
         let summary = Summary::from_samples(&cell, &samples, &errors, Status::Ok, "");
         assert_eq!(summary.frames, 3);
@@ -257,10 +271,10 @@ mod tests {
             (Some(3), Some(0))
         );
         assert_eq!(summary.verified_frames, 2);
-        assert_eq!(summary.labels, "leak=3");
-        assert_eq!(summary.distance_px_max, Some(7.5));
-        assert_eq!(summary.flip_mean, Some(0.5));
-        assert_eq!(summary.flicker_px, None);
+        assert_eq!(summary.metrics.px("label.leak"), Some(3));
+        assert_eq!(summary.metrics.get("distance_px_max"), Some(7.5));
+        assert_eq!(summary.metrics.get("flip"), Some(0.5));
+        assert_eq!(summary.metrics.get("flicker_px"), None);
     }
 
     #[test]
@@ -268,17 +282,16 @@ mod tests {
         let summary =
             Summary::from_samples(&Cell::default(), &[], &[], Status::Unavailable, "no stage");
         assert_eq!(summary.fps, None);
-        let mut writer = csv::Writer::from_writer(Vec::new());
-        writer.serialize(&summary).unwrap();
-        let text = String::from_utf8(writer.into_inner().unwrap()).unwrap();
+        let records = summary_records(std::slice::from_ref(&summary)).unwrap();
+        let text = String::from_utf8(table::text_of_records(&records).unwrap()).unwrap();
         let (header, row) = text.trim_end().split_once('\n').unwrap();
         assert_eq!(
             header,
             "scene,triangles,objects,method,variant,width,height,frames,fps,frame_ms_median,\
              shadow_ms_median,shadow_ms_p95,gbuffer_ms_median,false_lit,false_shadowed,\
              artifact_px,ambiguous_px,status,reason,boundary_px,verified_frames,frame_ms_p95,\
-             cpu_ms_median,frame_ms_mean,record_ms_median,draw_calls,counters,\
-             distances,distance_px_max,labels,followed_px,flicker_px,flip_mean"
+             cpu_ms_median,frame_ms_mean,record_ms_median,draw_calls,\
+             compared_px,distance_px_max,regions,largest_region_px,followed_px,flicker_px,flip_mean"
         );
         assert_eq!(
             row,

@@ -1,15 +1,17 @@
 //! Writing a run directory.
 //!
-//! `samples.csv`, `errors.csv`, `regions.csv` and `bias.csv` grow row by row, each flushed as it comes, so that a run that dies keeps what it
-//! has. Everything else is written to a temporary file and renamed: a file that is there is whole.
+//! `samples.csv`, `stages.csv`, `metrics.csv`, `regions.csv` and `bias.csv` grow row by row, each flushed as it comes, so
+//! that a run that dies keeps what it has. Everything else is written to a temporary file and renamed: a file that is there is whole.
 
 use super::{
-    BIAS_FILE, BiasRow, ERRORS_FILE, FileRecord, FrameError, IMAGES_DIR, ImageKind, REGIONS_FILE,
-    RUN_FILE, RegionRow, RunDirError, RunInfo, RunStatus, SAMPLES_FILE, SUMMARY_FILE, Sample,
-    Summary, file_records, image_name,
+    BIAS_FILE, BiasRow, COUNTERS_FILE, FileRecord, IMAGES_DIR, ImageKind, METRICS_FILE,
+    REGIONS_FILE, RUN_FILE, RegionRow, RunDirError, RunInfo, RunStatus, SAMPLES_FILE, STAGES_FILE,
+    SUMMARY_FILE, Sample, Summary, VerifiedFrame, counter_rows, file_records, image_name,
+    metric_rows, stage_rows, summary_records,
 };
 use crate::output;
 use crate::table::{self, Table};
+use crate::variant::Variant;
 use anyhow::{Context, bail};
 use serde::Serialize;
 use std::fs::OpenOptions;
@@ -60,7 +62,8 @@ pub fn new_directory(path: &Path) -> anyhow::Result<()> {
 pub(crate) struct RunDir {
     path: PathBuf,
     samples: Table,
-    errors: LateTable,
+    stages: LateTable,
+    metrics: LateTable,
     regions: LateTable,
     biases: LateTable,
     /// What `run.json` holds.
@@ -77,7 +80,8 @@ impl RunDir {
         Ok(Self {
             path: path.to_owned(),
             samples: Table::create(&path.join(SAMPLES_FILE))?,
-            errors: LateTable::new(path, ERRORS_FILE),
+            stages: LateTable::new(path, STAGES_FILE),
+            metrics: LateTable::new(path, METRICS_FILE),
             regions: LateTable::new(path, REGIONS_FILE),
             biases: LateTable::new(path, BIAS_FILE),
             info: Vec::new(),
@@ -121,28 +125,31 @@ impl RunDir {
 
     /// The tables and pictures that there are.
     pub(crate) fn file_records(&self) -> Result<Vec<FileRecord>, RunDirError> {
-        const TABLES: [&str; 5] = [
+        const TABLES: [&str; 7] = [
             SAMPLES_FILE,
+            STAGES_FILE,
             SUMMARY_FILE,
-            ERRORS_FILE,
+            COUNTERS_FILE,
+            METRICS_FILE,
             REGIONS_FILE,
             BIAS_FILE,
         ];
         RunDirError::of(file_records(&self.path, &TABLES, IMAGES_DIR))
     }
 
-    /// Appends a row to `samples.csv`.
+    /// Appends a row to `samples.csv`, and its stages to `stages.csv`.
     pub(crate) fn append_sample(&mut self, sample: &Sample) -> Result<(), RunDirError> {
-        RunDirError::of(self.samples.append(std::slice::from_ref(sample)))
+        RunDirError::of(self.samples.append(std::slice::from_ref(sample)))?;
+        RunDirError::of(self.stages.append(&stage_rows([sample])))
     }
 
-    /// Appends a verified frame to `errors.csv`, and its largest regions to `regions.csv`.
-    pub(crate) fn append_errors(
+    /// Appends a verified frame to `metrics.csv`, and its largest regions to `regions.csv`.
+    pub(crate) fn append_verified(
         &mut self,
-        error: &FrameError,
+        frame: &VerifiedFrame,
         regions: &[RegionRow],
     ) -> Result<(), RunDirError> {
-        RunDirError::of(self.errors.append(std::slice::from_ref(error)))?;
+        RunDirError::of(self.metrics.append(&metric_rows([frame])))?;
         RunDirError::of(self.regions.append(regions))
     }
 
@@ -151,16 +158,24 @@ impl RunDir {
         RunDirError::of(self.biases.append(std::slice::from_ref(bias)))
     }
 
-    /// Writes `summary.csv`, over the one before.
+    /// Writes `summary.csv` and `counters.csv`, over the ones before.
     pub(crate) fn write_summary(&self, rows: &[Summary]) -> Result<(), RunDirError> {
-        let path = self.path.join(SUMMARY_FILE);
-        RunDirError::of(table::text(rows).and_then(|text| output::write_atomically(&path, text)))
+        let write = || {
+            let summary = table::text_of_records(&summary_records(rows)?)?;
+            output::write_atomically(&self.path.join(SUMMARY_FILE), summary)?;
+            let counters = counter_rows(rows);
+            if counters.is_empty() {
+                return Ok(());
+            }
+            output::write_atomically(&self.path.join(COUNTERS_FILE), table::text(&counters)?)
+        };
+        RunDirError::of(write())
     }
 
     /// Writes a picture of a cell.
     pub(crate) fn write_image(
         &self,
-        (scene, method, variant): (&str, &str, &str),
+        (scene, method, variant): (&str, &str, &Variant),
         kind: ImageKind,
         image: &super::Image<'_>,
     ) -> Result<(), RunDirError> {

@@ -1,9 +1,10 @@
 //! The files of a stress run: `stability.json` says what was tried and where, `stability.csv` has a row for
 //! every picture, and the folder `failures` a picture of each method's first failure.
 
-use crate::methods::{ShadowMethod, full_name};
+use crate::methods::ShadowMethod;
 use crate::output;
 use crate::record::{DeviceRecord, FileRecord, HostRecord};
+use crate::variant::Variant;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 
@@ -98,7 +99,7 @@ pub struct StressMethod {
     /// Its id, as in the rows.
     pub id: String,
     /// Its parameters that are not at their defaults.
-    pub variant: String,
+    pub variant: Variant,
     /// The part of the picture that may be wrong before that is a failure.
     pub tolerated_share: f64,
     /// The causes that its limits say bring it down.
@@ -139,7 +140,7 @@ impl StressMethod {
 
     /// Id and variant.
     pub fn name(&self) -> String {
-        full_name(&self.id, &self.variant)
+        self.variant.full_name(&self.id)
     }
 }
 
@@ -169,7 +170,7 @@ pub struct StressRow {
     /// Id of the method.
     pub method: String,
     /// Its variant.
-    pub variant: String,
+    pub variant: Variant,
     /// What became of the picture.
     pub outcome: Outcome,
     /// Wrong pixels farther than one pixel from the true shadow boundary.

@@ -13,6 +13,14 @@ pub struct Contender {
 }
 
 impl Contender {
+    /// A method in a variant, which may be empty.
+    pub fn new(method: impl Into<String>, variant: impl Into<String>) -> Self {
+        Self {
+            method: method.into(),
+            variant: variant.into(),
+        }
+    }
+
     /// Id and variant in one line.
     pub fn label(&self) -> String {
         format!("{} {}", self.method, self.variant)
@@ -34,29 +42,20 @@ pub struct Curve {
 impl Curve {
     /// The curve that `contender` is a point of.
     pub fn of(contender: &Contender, sweep: Option<&SweepRecord>) -> Self {
-        let Some(sweep) = sweep else {
-            return Self {
-                name: contender.clone(),
-                parameter: None,
-            };
-        };
         Self {
-            name: Contender {
-                method: contender.method.clone(),
-                variant: sweep.curve.clone(),
-            },
-            parameter: Some(sweep.parameter.clone()),
+            name: sweep.map_or_else(
+                || contender.clone(),
+                |sweep| Contender::new(&contender.method, sweep.curve.to_string()),
+            ),
+            parameter: sweep.map(|sweep| sweep.parameter.clone()),
         }
     }
 
     /// Its name as a legend says it: a swept one with `by` and its parameter.
     pub fn legend(&self) -> Contender {
         let by = self.parameter.as_ref().map(|name| format!("by {name}"));
-        let variant = [self.name.variant.clone(), by.unwrap_or_default()];
-        Contender {
-            method: self.name.method.clone(),
-            variant: variant.join(" ").trim().to_owned(),
-        }
+        let variant = [self.name.variant.clone(), by.unwrap_or_default()].join(" ");
+        Contender::new(&self.name.method, variant.trim())
     }
 }
 
@@ -73,32 +72,15 @@ impl Curves {
     /// The curves of a run. Rows of a size that is not the run's own are curves of their own.
     pub fn of(run: &Run) -> Self {
         let contenders = run.contenders();
-        let with_sweep: Vec<(Contender, Option<&SweepRecord>)> = contenders
-            .into_iter()
-            .map(|contender| {
-                let sweep = run.sweep_of(&contender);
-                (contender, sweep)
-            })
-            .collect();
-        let curve =
-            |(contender, sweep): &(Contender, Option<&SweepRecord>)| Curve::of(contender, *sweep);
-        let all = unique(with_sweep.iter().map(curve));
-        let place = |entry: &(Contender, Option<&SweepRecord>)| {
-            let own = curve(entry);
-            all.iter()
-                .position(|curve| *curve == own)
-                .unwrap_or_default()
-        };
-        let members = with_sweep
-            .iter()
-            .map(|entry| {
-                (
-                    entry.0.clone(),
-                    place(entry),
-                    entry.1.map(|sweep| sweep.value),
-                )
-            })
-            .collect();
+        let curve = |contender: &Contender| Curve::of(contender, run.sweep_of(contender));
+        let all = unique(contenders.iter().map(curve));
+        let members = contenders.into_iter().map(|contender| {
+            let own = curve(&contender);
+            let place = all.iter().position(|curve| *curve == own);
+            let value = run.sweep_of(&contender).map(|sweep| sweep.value);
+            (contender, place.unwrap_or_default(), value)
+        });
+        let members = members.collect();
         Self { all, members }
     }
 

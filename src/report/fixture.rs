@@ -7,9 +7,10 @@ use tempfile::TempDir;
 
 use super::{LegendEntry, Run};
 use crate::record::{
-    BIAS_FILE, BiasRow, Cell, DeviceRecord, ERRORS_FILE, FORMAT, FrameError, HostRecord,
-    MethodRecord, REGIONS_FILE, RUN_FILE, RegionRow, RunInfo, RunStatus, SAMPLES_FILE,
-    SUMMARY_FILE, Sample, SceneRecord, Status, Summary, SweepRecord,
+    BIAS_FILE, BiasRow, Cell, DeviceRecord, FORMAT, HostRecord, METRICS_FILE, MethodRecord,
+    REGIONS_FILE, RUN_FILE, RegionRow, RunInfo, RunStatus, SAMPLES_FILE, STAGES_FILE, SUMMARY_FILE,
+    Sample, SceneRecord, StageMs, Status, Summary, SweepRecord, VerifiedFrame, metric_rows,
+    stage_rows,
 };
 use serde::Serialize;
 
@@ -80,14 +81,19 @@ pub(super) fn cell(info: &RunInfo, scene: &str, method: &str, triangles: u64) ->
         triangles: Some(triangles),
         objects: Some(4),
         method: method.to_owned(),
-        variant: String::new(),
+        variant: Default::default(),
         width: info.width,
         height: info.height,
-        counters: String::new(),
+        counters: Vec::new(),
     }
 }
 
 pub(super) fn samples(cell: &Cell, shadow_ms: f64) -> Vec<Sample> {
+    let stage = |(stage, device_ms): (&str, f64)| StageMs {
+        stage: stage.to_owned(),
+        device_ms,
+        cpu_ms: 0.0,
+    };
     let sample = |frame: u32| Sample {
         scene: cell.scene.clone(),
         triangles: cell.triangles.unwrap(),
@@ -105,7 +111,7 @@ pub(super) fn samples(cell: &Cell, shadow_ms: f64) -> Vec<Sample> {
         cpu_ms: 0.125,
         record_ms: 0.0625,
         draw_calls: 12,
-        stages: "volumes=1.5;resolve=0.25".to_owned(),
+        stages: [("volumes", 1.5), ("resolve", 0.25)].map(stage).to_vec(),
         ..Sample::default()
     };
     (0..3).map(sample).collect()
@@ -118,6 +124,7 @@ pub(super) fn write_run(dir: &Path, info: &RunInfo, samples: &[Sample], summarie
     )
     .unwrap();
     write_rows(dir, SAMPLES_FILE, samples);
+    write_rows(dir, STAGES_FILE, &stage_rows(samples));
     write_rows(dir, SUMMARY_FILE, summaries);
 }
 
@@ -136,14 +143,10 @@ pub(super) fn made_up_run() -> TempDir {
         for (method, shadow_ms, artifact_px) in [("fast", 2.0, 1234), ("slow", 5.0, 0)] {
             let cell = cell(&info, scene, method, triangles);
             let own = samples(&cell, shadow_ms * triangles as f64 / 1000.0);
-            let wrong = FrameError {
-                false_lit: artifact_px + 3,
-                artifact_px,
-                boundary_px: 3,
-                ambiguous_px: 17,
-                ..FrameError::default()
-            };
-            let errors = [wrong, FrameError::default()];
+            let errors = [
+                counted(artifact_px + 3, 0, 3, artifact_px, 17),
+                counted(0, 0, 0, 0, 0),
+            ];
             let row = Summary::from_samples(&cell, &own, &errors, Status::Ok, "");
             summaries.push(row);
             all.extend(own);
@@ -170,10 +173,7 @@ pub(super) fn paper_row(cell: &Cell, fps: f64, artifact_px: Option<u64>) -> Summ
         draw_calls: 12,
         ..Sample::default()
     };
-    let wrong = |artifact_px| FrameError {
-        artifact_px,
-        ..FrameError::default()
-    };
+    let wrong = |artifact_px| counted(0, 0, 0, artifact_px, 0);
     let errors = artifact_px.map_or(Vec::new(), |px| vec![wrong(px), wrong(0)]);
     let status = if artifact_px.is_some() {
         Status::Ok
@@ -203,7 +203,7 @@ pub(super) fn paper_run(dir: &str, device: &str, rows: &[Summary]) -> Run {
         info,
         samples: Vec::new(),
         summaries: rows.to_vec(),
-        errors: Vec::new(),
+        frames: Vec::new(),
         regions: Vec::new(),
         biases: Vec::new(),
         warnings: Vec::new(),
@@ -242,7 +242,7 @@ pub(super) fn swept_run() -> TempDir {
                 512 << step
             };
             let sweep = SweepRecord {
-                curve: curve.to_owned(),
+                curve: curve.parse().unwrap(),
                 parameter: parameter.to_owned(),
                 value: f64::from(value),
             };
@@ -273,11 +273,11 @@ pub(super) fn swept_run() -> TempDir {
         }
     }
     write_run(dir.path(), &info, &all, &summaries);
-    write_rows(dir.path(), ERRORS_FILE, &errors);
+    write_rows(dir.path(), METRICS_FILE, &metric_rows(&errors));
     let region = RegionRow {
         scene: "sponza".to_owned(),
         method: "shadow_map".to_owned(),
-        variant: "resolution=512".to_owned(),
+        variant: "resolution=512".parse().unwrap(),
         frame: 1,
         sign: "false_lit".to_owned(),
         label: "leak".to_owned(),
@@ -291,7 +291,7 @@ pub(super) fn swept_run() -> TempDir {
     let bias = BiasRow {
         scene: "sponza".to_owned(),
         method: "shadow_map".to_owned(),
-        variant: "slope_bias=search".to_owned(),
+        variant: "slope_bias=search".parse().unwrap(),
         resolution: 2048,
         slope_bias: 2.25,
         acne_px_unbiased: 4321.5,
@@ -307,34 +307,67 @@ pub(super) fn swept_run() -> TempDir {
 fn record(id: &str, variant: &str, sweep: Option<SweepRecord>) -> MethodRecord {
     MethodRecord {
         id: id.to_owned(),
-        variant: variant.to_owned(),
+        variant: variant.parse().unwrap(),
         sweep,
         ..MethodRecord::default()
     }
 }
 
 /// A frame with about so many wrong pixels, more of them in later frames.
-fn frame_error(cell: &Cell, frame: u32, wrong_px: u64) -> FrameError {
+fn frame_error(cell: &Cell, frame: u32, wrong_px: u64) -> VerifiedFrame {
     let wrong_px = wrong_px * (10 + u64::from(frame)) / 10;
     let far_px = wrong_px / 4;
-    FrameError {
+    let near_px = wrong_px - far_px;
+    let found = [
+        ("distance.1", near_px),
+        ("distance.4", far_px),
+        ("distance.more", 0),
+        ("regions", u64::from(far_px > 0) * 3),
+        ("label.acne", far_px),
+        ("label.leak", wrong_px / 9),
+        ("followed_px", 1_000_000),
+        ("flicker_px", wrong_px / 10),
+    ];
+    let found = found.map(|(name, value)| (name.to_owned(), value as f64));
+    let far = (wrong_px > 0).then(|| ("distance_px_max".to_owned(), 3.5));
+    let counts = counted(wrong_px - wrong_px / 3, wrong_px / 3, near_px, far_px, 0);
+    let counts = counts
+        .metrics
+        .iter()
+        .map(|(name, value)| (name.to_owned(), value));
+    let all = counts.chain(found).chain(far);
+    VerifiedFrame {
         scene: cell.scene.clone(),
         method: cell.method.clone(),
         variant: cell.variant.clone(),
         width: cell.width,
         height: cell.height,
         frame,
-        false_lit: wrong_px - wrong_px / 3,
-        false_shadowed: wrong_px / 3,
-        boundary_px: wrong_px - far_px,
-        artifact_px: far_px,
-        distances: format!("1={};4={far_px};more=0", wrong_px - far_px),
-        distance_px_max: (wrong_px > 0).then_some(3.5),
-        regions: u64::from(far_px > 0) * 3,
-        labels: format!("acne={far_px};leak={}", wrong_px / 9),
-        followed_px: Some(1_000_000),
-        flicker_px: Some(wrong_px / 10),
-        flip: Some(0.0125),
-        ..FrameError::default()
+        time_s: 0.0,
+        metrics: all.chain([("flip".to_owned(), 0.0125)]).collect(),
+    }
+}
+
+/// A frame with these counts.
+pub(super) fn counted(
+    false_lit: u64,
+    false_shadowed: u64,
+    boundary_px: u64,
+    artifact_px: u64,
+    ambiguous_px: u64,
+) -> VerifiedFrame {
+    let counts = [
+        ("false_lit", false_lit),
+        ("false_shadowed", false_shadowed),
+        ("boundary_px", boundary_px),
+        ("artifact_px", artifact_px),
+        ("ambiguous_px", ambiguous_px),
+    ];
+    VerifiedFrame {
+        metrics: counts
+            .map(|(name, px)| (name, px as f64))
+            .into_iter()
+            .collect(),
+        ..VerifiedFrame::default()
     }
 }

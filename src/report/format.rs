@@ -33,8 +33,8 @@ pub fn factor(value: f64) -> String {
     format!("×{value:.2}")
 }
 
-/// Frames per second in a table of the paper: as the paper has them, whole where they are many.
-pub fn paper_fps(value: f64) -> String {
+/// A value in a table of a paper: as papers have them, whole where it is large.
+pub fn paper_value(value: f64) -> String {
     match value {
         v if v >= 100.0 => format!("{v:.0}"),
         v if v >= 10.0 => format!("{v:.1}"),
@@ -81,9 +81,29 @@ pub fn short(value: f64) -> String {
     }
 }
 
+/// A number of things: `1 cell`, `2 cells`.
+pub fn number_of(number: usize, what: &str) -> String {
+    let plural = if number == 1 { "" } else { "s" };
+    format!("{} {what}{plural}", count(number as u64))
+}
+
+/// An RFC 3339 time as people read it; as it is, where it is none.
+pub fn date(rfc_3339: &str) -> String {
+    rfc_3339.parse::<jiff::Timestamp>().map_or_else(
+        |_| rfc_3339.to_owned(),
+        |time| time.strftime("%-d %B %Y, %H:%M UTC").to_string(),
+    )
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn dates_are_for_people_and_nonsense_is_left_alone() {
+        assert_eq!(date("2026-03-09T14:05:06+01:00"), "9 March 2026, 13:05 UTC");
+        assert_eq!(date("yesterday"), "yesterday");
+    }
 
     #[test]
     fn counts_are_grouped_by_thousands() {

@@ -29,32 +29,34 @@ struct Setting {
 }
 
 fn settings(info: &RunInfo) -> [Setting; 5] {
-    let setting = |name, value: String, label: String| Setting { name, value, label };
+    let RunInfo {
+        width,
+        height,
+        frames,
+        program_version,
+        ..
+    } = info;
     let scale = if info.scale.is_empty() {
         "full"
     } else {
         &info.scale
     };
-    let (width, height) = (info.width.to_string(), info.height.to_string());
     [
-        setting("width", format!("{width} px"), format!("{width} px wide")),
-        setting(
+        ("width", format!("{width} px"), format!("{width} px wide")),
+        (
             "height",
             format!("{height} px"),
             format!("{height} px high"),
         ),
-        setting(
-            "frames",
-            info.frames.to_string(),
-            format!("{} frames", info.frames),
-        ),
-        setting(
+        ("frames", frames.to_string(), format!("{frames} frames")),
+        (
             "program_version",
-            info.program_version.clone(),
-            format!("svbench {}", info.program_version),
+            program_version.clone(),
+            format!("svbench {program_version}"),
         ),
-        setting("scale", scale.to_owned(), format!("scale {scale}")),
+        ("scale", scale.to_owned(), format!("scale {scale}")),
     ]
+    .map(|(name, value, label)| Setting { name, value, label })
 }
 
 /// The runs by device, in the order in which the devices appear.

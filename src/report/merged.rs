@@ -8,8 +8,7 @@ use serde::Serialize;
 
 use super::groups::{self, Group};
 use super::load::Run;
-use super::paper::{self, Paper};
-use super::{HTML_FILE, html, plots, write_plots};
+use super::{HTML_FILE, html, paper, plots};
 use crate::output::{self, write_atomically};
 use crate::record::RunStatus;
 
@@ -51,16 +50,16 @@ pub fn write_merged(dirs: &[PathBuf], out: &Path, force: bool) -> Result<PathBuf
         .map(|dir| Run::read(dir))
         .collect::<Result<_>>()?;
     let groups = groups::group(&runs, force)?;
-    let paper = Paper::compare(&groups)?;
-    let plots = paper.as_ref().map_or(Ok(Vec::new()), plots::draw_paper)?;
+    let papers = paper::compare(&groups)?;
+    let plots = plots::draw_papers(&papers)?;
 
     prepare(out)?;
     // First, so that a report that could not be finished can be written again.
     write_atomically(&out.join(MERGED_FILE), &contents(&groups)?)?;
-    paper::write(out, paper.as_ref())?;
-    write_plots(out, &plots)?;
+    paper::write(out, &papers)?;
+    plots::write(out, &plots)?;
     let page = out.join(HTML_FILE);
-    write_atomically(&page, html::merged_page(&groups, paper.as_ref(), &plots))?;
+    write_atomically(&page, html::merged_page(&groups, &papers, &plots))?;
     Ok(page)
 }
 

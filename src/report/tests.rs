@@ -4,12 +4,17 @@ use std::fs;
 
 use tempfile::TempDir;
 
-use super::fixture::{HOSTILE, LEGEND, cell, info, made_up_run, samples, swept_run, write_run};
+mod exporters;
+
+use super::fixture::{
+    HOSTILE, LEGEND, cell, counted, info, made_up_run, samples, swept_run, write_rows, write_run,
+};
 use super::*;
 use crate::record::{
-    FrameError, IMAGES_DIR, ImageKind, RUN_FILE, RunStatus, SAMPLES_FILE, SUMMARY_FILE, Status,
-    Summary, image_name,
+    IMAGES_DIR, ImageKind, METRICS_FILE, RUN_FILE, RunStatus, SAMPLES_FILE, SUMMARY_FILE, Status,
+    Summary, VerifiedFrame, image_name, metric_rows,
 };
+use crate::variant::Variant;
 
 /// The page alone: PNGs take most of a report's time, and few tests read them.
 fn html_of(dir: &TempDir) -> String {
@@ -17,13 +22,13 @@ fn html_of(dir: &TempDir) -> String {
     let clouds = pareto::clouds(&run);
     let mut plots = plots::draw_pareto(&run, &clouds).unwrap();
     plots.extend(plots::draw(&run).unwrap());
-    html::page(&run, None, &clouds, &plots, &LEGEND).unwrap()
+    html::page(&run, &[], &clouds, &plots, &LEGEND).unwrap()
 }
 
 #[test]
 fn the_table_groups_by_scene_and_shows_times_errors_and_reasons() {
     let dir = made_up_run();
-    let table = table::markdown(&Run::read(dir.path()).unwrap());
+    let table = results::markdown(&Run::read(dir.path()).unwrap());
     let lines: Vec<&str> = table.lines().collect();
     assert!(
         lines[2].starts_with("| **grid_n10**, 1,000 tri, 4 obj"),
@@ -59,7 +64,7 @@ fn the_table_groups_by_scene_and_shows_times_errors_and_reasons() {
 fn run_without_a_model() -> (TempDir, &'static str) {
     let dir = tempfile::tempdir().unwrap();
     let mut info = info(&["grid_n10", "sponza"], &["silhouette_ts", "triangle_gs"]);
-    info.methods[1].variant = "counting=z_pass,determinism=none".to_owned();
+    info.methods[1].variant = "counting=z_pass,determinism=none".parse().unwrap();
     let reason = "the model crytek_sponza.obj is in none of the places searched: scenes/models";
     info.scenes[1].status = Status::Skipped;
     info.scenes[1].reason = reason.to_owned();
@@ -68,7 +73,7 @@ fn run_without_a_model() -> (TempDir, &'static str) {
         let mut measured = cell(&info, "grid_n10", &method.id, 1000);
         measured.variant = method.variant.clone();
         let own = samples(&measured, 2.0);
-        let errors = [FrameError::default()];
+        let errors = [counted(0, 0, 0, 0, 0)];
         summaries.push(Summary::from_samples(
             &measured,
             &own,
@@ -94,7 +99,7 @@ fn run_without_a_model() -> (TempDir, &'static str) {
 #[test]
 fn why_a_scene_was_skipped_is_said_once() {
     let (dir, reason) = run_without_a_model();
-    let table = table::markdown(&Run::read(dir.path()).unwrap());
+    let table = results::markdown(&Run::read(dir.path()).unwrap());
     let group = table
         .lines()
         .find(|line| line.contains("**sponza**"))
@@ -136,7 +141,12 @@ fn the_page_needs_nothing_else() {
     let images = dir.path().join(IMAGES_DIR);
     fs::create_dir(&images).unwrap();
     fs::write(
-        images.join(image_name("grid_n10", "fast", "", ImageKind::Mask)),
+        images.join(image_name(
+            "grid_n10",
+            "fast",
+            &Variant::default(),
+            ImageKind::Mask,
+        )),
         b"png",
     )
     .unwrap();
@@ -164,7 +174,7 @@ fn names_cannot_break_out_of_the_outputs() {
         "not escaped"
     );
     assert!(page.contains("&lt;script&gt;"));
-    let table = table::markdown(&Run::read(dir.path()).unwrap());
+    let table = results::markdown(&Run::read(dir.path()).unwrap());
     assert!(table.contains("a\\|b \\<img src=x>"), "{table}");
 }
 
@@ -191,7 +201,7 @@ fn banners_say_what_spoils_the_run() {
 fn every_plot_is_written_as_svg_and_png_and_nothing_half_written_stays() {
     let dir = made_up_run();
     write_all(dir.path(), &LEGEND).unwrap();
-    let plots = dir.path().join(PLOTS_DIR);
+    let plots = dir.path().join(plots::PLOTS_DIR);
     let names = [
         "pareto_all",
         "pareto_grid_n10",
@@ -395,7 +405,7 @@ fn the_page_shows_charts_errors_regions_and_biases() {
 fn what_an_earlier_report_said_of_accuracy_and_speed_goes_with_its_points() {
     let dir = made_up_run();
     write_all(dir.path(), &LEGEND).unwrap();
-    let plots = dir.path().join(PLOTS_DIR);
+    let plots = dir.path().join(plots::PLOTS_DIR);
     let (csv, all) = (dir.path().join("pareto.csv"), plots.join("pareto_all.png"));
     assert!(csv.is_file() && all.is_file());
     fs::write(
@@ -419,13 +429,24 @@ fn a_verified_scene_with_a_hostile_name_is_escaped_in_chart_and_tables() {
     let info = info(&[HOSTILE], &[HOSTILE]);
     let cell = cell(&info, HOSTILE, HOSTILE, 10);
     let own = samples(&cell, 2.0);
-    let wrong = FrameError {
-        false_lit: 5,
-        labels: format!("{HOSTILE}=5"),
-        ..FrameError::default()
+    let found = [(format!("label.{HOSTILE}"), 5.0)];
+    let counts = counted(5, 0, 0, 0, 0);
+    let counts = counts
+        .metrics
+        .iter()
+        .map(|(name, value)| (name.to_owned(), value));
+    let wrong = VerifiedFrame {
+        scene: cell.scene.clone(),
+        method: cell.method.clone(),
+        width: cell.width,
+        height: cell.height,
+        metrics: counts.chain(found).collect(),
+        ..VerifiedFrame::default()
     };
+    let rows = metric_rows([&wrong]);
     let summary = Summary::from_samples(&cell, &own, &[wrong], Status::Ok, "");
     write_run(dir.path(), &info, &own, &[summary]);
+    write_rows(dir.path(), METRICS_FILE, &rows);
     let page = html_of(&dir);
     assert!(page.contains("id=\"pareto\"") && page.contains("id=\"errors\""));
     assert!(!page.contains("<script"), "not escaped");
@@ -437,7 +458,12 @@ fn a_page_of_too_many_pictures_links_to_those_of_lesser_cells() {
     let images = dir.path().join(IMAGES_DIR);
     fs::create_dir(&images).unwrap();
     let picture = |method: &str, variant: &str, bytes: usize| {
-        let name = image_name("sponza", method, variant, ImageKind::Error);
+        let name = image_name(
+            "sponza",
+            method,
+            &variant.parse().unwrap(),
+            ImageKind::Error,
+        );
         fs::write(images.join(&name), vec![0; bytes]).unwrap();
         name
     };

@@ -221,7 +221,8 @@ mod tests {
     fn a_limit_holds_with_its_parameter_alone() {
         let info = Registry::builtin().get("silhouette_gs").unwrap().info;
         let covered = |variant: &str, value: f64| {
-            let mut limits = info.limits_of(variant);
+            let variant = variant.parse().unwrap();
+            let mut limits = info.limits_of(&variant);
             limits.any(|limit| limit.covers("eye_in_volume", value))
         };
         assert!(covered("counting=z_pass", 1.0));

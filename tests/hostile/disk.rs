@@ -55,7 +55,7 @@ fn what_was_cut_since_the_run_is_no_result() {
     ends(&mut room.svbench(["run", "config.toml", "--out", "run"]), 0);
     ends(&mut room.svbench(["report", "run"]), 0);
     let picture = "images/sphere_grid_n8__shadow_map__resolution-256_mask.png";
-    for file in ["samples.csv", "summary.csv", "errors.csv", picture] {
+    for file in ["samples.csv", "summary.csv", "metrics.csv", picture] {
         let path = room.path("run").join(file);
         let whole = fs::read(&path).unwrap();
         let line_end = whole

@@ -226,7 +226,13 @@ fn no_cell_of_a_table_is_a_formula() {
     }
     room.write("config.toml", config);
     ends(&mut room.svbench(["run", "config.toml", "--out", "run"]), 0);
-    for table in ["samples.csv", "summary.csv", "errors.csv", "pareto.csv"] {
+    for table in [
+        "samples.csv",
+        "summary.csv",
+        "stages.csv",
+        "metrics.csv",
+        "pareto.csv",
+    ] {
         let mut reader = csv::Reader::from_path(room.path("run").join(table)).unwrap();
         let mut guarded = 0;
         for cell in reader

@@ -37,8 +37,6 @@ const KNOWN_UPWARD: &[(&str, &str)] = &[];
 
 /// Circles: the folder, and the files and folders in it that import each other.
 const KNOWN_CIRCLES: &[&str] = &[
-    "bench: cell, measure",
-    "bench: preparation, runner, scene_run, verify_cells",
     "gpu: adapter, device",
     "gpu: recorder, stage, timer",
     "report: curve, load",
@@ -50,7 +48,6 @@ const KNOWN_CIRCLES: &[&str] = &[
 
 /// Functions that are too long.
 const KNOWN_LONG_FUNCTIONS: &[&str] = &[
-    "bench::verify_cells::verify_cells",
     "cli::render::execute",
     "gpu::native::bindings::new",
     "gpu::native::open::open_vulkan",

@@ -92,6 +92,28 @@ fn a_run_leaves_everything_that_the_contract_names() {
         let shadow: f64 = row["shadow_ms_median"].parse().unwrap();
         assert!(shadow > 0.0 && shadow < frame_ms[2], "{row:?}");
     }
+    // What the stages of a frame took together is its shadow time.
+    let stages = rows(&out.join("stages.csv"));
+    for sample in &samples {
+        let same = |stage: &&std::collections::HashMap<String, String>| {
+            ["method", "variant", "frame"]
+                .iter()
+                .all(|key| stage[*key] == sample[*key])
+        };
+        let own = stages.iter().filter(same);
+        let sum =
+            |column: &str| -> f64 { own.clone().map(|s| s[column].parse::<f64>().unwrap()).sum() };
+        for (of_stages, of_sample) in [
+            ("device_ms", "shadow_device_ms"),
+            ("cpu_ms", "shadow_cpu_ms"),
+        ] {
+            let shadow: f64 = sample[of_sample].parse().unwrap();
+            assert!(
+                (sum(of_stages) - shadow).abs() < 1e-6,
+                "{of_stages} of {sample:?}"
+            );
+        }
+    }
     // At each camera position every method once, in an order that changes.
     let order: Vec<(&str, &str)> = samples
         .iter()
@@ -164,16 +186,17 @@ fn accuracy_verifies_along_the_flight_and_charts_what_it_finds() {
         "--validation",
     ]);
     let out = Path::new(&out);
-    let (summary, errors) = (
+    let (summary, metrics) = (
         rows(&out.join("summary.csv")),
-        rows(&out.join("errors.csv")),
+        rows(&out.join("metrics.csv")),
     );
-    assert_eq!((summary.len(), errors.len()), (9, 18));
+    let frames = || metrics.iter().filter(|row| row["metric"] == "false_lit");
+    assert_eq!((summary.len(), frames().count()), (9, 18));
     for row in &summary {
-        let of = |error: &&std::collections::HashMap<String, String>| {
-            error["method"] == row["method"] && error["variant"] == row["variant"]
+        let of = |metric: &&std::collections::HashMap<String, String>| {
+            metric["method"] == row["method"] && metric["variant"] == row["variant"]
         };
-        let own: Vec<_> = errors.iter().filter(of).collect();
+        let own: Vec<_> = metrics.iter().filter(of).collect();
         for column in [
             "false_lit",
             "false_shadowed",
@@ -181,7 +204,12 @@ fn accuracy_verifies_along_the_flight_and_charts_what_it_finds() {
             "followed_px",
             "flicker_px",
         ] {
-            let sum: u64 = own.iter().map(|e| e[column].parse::<u64>().unwrap()).sum();
+            let values = own.iter().filter(|metric| metric["metric"] == column);
+            let values: Vec<u64> = values
+                .map(|metric| metric["value"].parse().unwrap())
+                .collect();
+            assert_eq!(values.len(), 2, "{column} of {row:?}");
+            let sum: u64 = values.iter().sum();
             assert_eq!(row[column], sum.to_string(), "{column} of {row:?}");
         }
         assert!(row["followed_px"].parse::<u64>().unwrap() > 1000, "{row:?}");
@@ -192,7 +220,7 @@ fn accuracy_verifies_along_the_flight_and_charts_what_it_finds() {
         assert!((flip > 0.0) == wrong || is_grey, "{row:?}");
     }
     // Measured frames 0 and 2 of 4.
-    let times: Vec<_> = errors.iter().map(|e| &*e["time_s"]).collect();
+    let times: Vec<_> = frames().map(|row| &*row["time_s"]).collect();
     assert_eq!((times[0], times[9]), ("0.0", times[17]));
     assert!(times[9].parse::<f64>().unwrap() > 1.0);
 

@@ -4,7 +4,8 @@ use super::Verified;
 use crate::bench::executor::{FRAME_S, sequence};
 use crate::config::RunPlan;
 use crate::judge::{Judgement, ReadyMethod, Truth, Verifier, flicker};
-use crate::record::{Cell, FrameError, ImageKind, RegionRow, pairs_to_text};
+use crate::metrics::{Findings, METRICS, MetricValues};
+use crate::record::{Cell, ImageKind, RegionRow, VerifiedFrame};
 use crate::reference::Motion;
 use crate::scene::Flight;
 
@@ -81,13 +82,24 @@ impl Traced {
             (Some(truth), Some(picture)) => Some(verifier.flip(&self.truth, truth, picture)?),
             _ => None,
         };
-        let error = FrameError {
+        let findings = Findings {
+            mask: &mask,
+            truth: &self.truth.mask,
+            error: judgement.error,
+            distances: &judgement.distances,
+            analysis: &judgement.analysis,
+            flicker,
+            flip,
+        };
+        let verified = VerifiedFrame {
+            scene: cell.scene.clone(),
+            method: cell.method.clone(),
+            variant: cell.variant.clone(),
+            width: cell.width,
+            height: cell.height,
             frame,
             time_s: self.time_s,
-            followed_px: flicker.map(|f| f.followed_px),
-            flicker_px: flicker.map(|f| f.flicker_px),
-            flip,
-            ..frame_error(cell, &judgement)
+            metrics: MetricValues::measure(METRICS, &findings),
         };
         let regions = regions(cell, frame, &judgement);
         let mut images = Vec::new();
@@ -97,38 +109,10 @@ impl Traced {
             images.push((ImageKind::Error, judgement.error_map));
         }
         Ok(Verified {
-            error,
+            frame: verified,
             regions,
             images,
         })
-    }
-}
-
-fn frame_error(cell: &Cell, judgement: &Judgement) -> FrameError {
-    let Judgement {
-        error,
-        distances,
-        analysis,
-        ..
-    } = judgement;
-    FrameError {
-        scene: cell.scene.clone(),
-        method: cell.method.clone(),
-        variant: cell.variant.clone(),
-        width: cell.width,
-        height: cell.height,
-        false_lit: error.false_lit,
-        false_shadowed: error.false_shadowed,
-        boundary_px: error.boundary_px,
-        artifact_px: error.artifact_px,
-        ambiguous_px: error.ambiguous_px,
-        compared_px: error.compared_px,
-        distances: pairs_to_text(distances.classes()),
-        distance_px_max: distances.max_px,
-        regions: analysis.regions.len() as u64,
-        largest_region_px: analysis.regions.first().map_or(0, |region| region.size_px),
-        labels: pairs_to_text(analysis.label_counts()),
-        ..FrameError::default()
     }
 }
 

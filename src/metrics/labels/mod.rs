@@ -22,6 +22,7 @@ mod whole_frame;
 #[cfg(test)]
 mod tests;
 
+use super::metric::{Compute, Metric, OverFrames};
 use rayon::prelude::*;
 
 use super::label::Label;
@@ -41,7 +42,7 @@ use streak::{Leaks, leaks};
 use whole_frame::whole_frame;
 
 /// The wrong pixels of a picture by region and by kind of error.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Analysis {
     /// Connected regions of artifact pixels, the largest first.
     pub regions: Vec<Region>,
@@ -148,3 +149,17 @@ fn label_regions(frame: &Frame<'_>, artifacts: &mut [Artifact], staircase: Optio
             });
     }
 }
+
+/// See [`crate::metrics::METRICS`].
+pub(in crate::metrics) const METRICS: &[Metric] = &[Metric {
+    name: "label",
+    unit: "px",
+    words: "wrong, by the kind of error; boundary pixels without a kind are in none",
+    over_frames: OverFrames::Sum,
+    of: Compute::Each(|f| {
+        f.analysis
+            .label_counts()
+            .map(|(kind, px)| (kind, px as f64))
+            .collect()
+    }),
+}];

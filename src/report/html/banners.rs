@@ -2,66 +2,58 @@
 
 use maud::{Markup, html};
 
+use super::shell::banner;
 use crate::record::{RunStatus, Status, Summary};
-use crate::report::format::px_per_frame;
+use crate::report::format::{number_of, px_per_frame};
 use crate::report::load::Run;
 
 /// The banners that the run calls for, the gravest first.
-pub(super) fn section(run: &Run) -> Markup {
+pub(super) fn of(run: &Run) -> Markup {
     let measured = run.summaries.iter().filter(|row| row.frames > 0).count();
     let wrong = rows(run, |row| row.artifact_px.is_some_and(|px| px > 0));
     let failed = rows(run, |row| row.status == Status::Failed);
     let unverified = rows(run, |row| row.status == Status::Unverified);
-    html! {
-        @if let Some(text) = unfinished(run.info.status) {
-            div.banner.grave role="note" { p { strong { (text) } " What follows is what it left." } }
-        }
-        @if measured == 0 {
-            div.banner.grave role="note" {
-                p { strong { "Nothing was measured." } " The run directory holds no frame times." }
-            }
-        }
-        @if !wrong.is_empty() {
-            div.banner.grave role="note" {
-                p {
-                    strong { (are(wrong.len())) " wrong." }
-                    " Pixels differ from the ray-traced reference farther than one pixel from the "
-                    "true shadow boundary. Read these times together with their errors:"
-                }
-                ul {
-                    @for line in wrong_by_contender(run, &wrong) { li { (line) } }
-                }
-            }
-        }
-        @if !failed.is_empty() {
-            div.banner.grave role="note" {
-                p { strong { (cells(failed.len())) " failed:" } }
-                ul { @for row in failed { li { (name(run, row)) ": " (row.reason) } } }
-            }
-        }
-        @if run.info.device.is_software() {
-            div.banner role="note" {
-                p { (software(&run.info.device.name)) }
-            }
-        }
-        @if !unverified.is_empty() {
-            div.banner role="note" {
-                p {
-                    strong { (are(unverified.len())) " unverified." }
-                    " Measured, but not compared with the reference."
-                }
-            }
-        }
+    let mut banners = Vec::new();
+    if let Some(text) = unfinished(run.info.status) {
+        banners.push(banner("grave", text, "What follows is what it left.", &[]));
     }
+    if measured == 0 {
+        let rest = "The run directory holds no frame times.";
+        banners.push(banner("grave", "Nothing was measured.", rest, &[]));
+    }
+    if !wrong.is_empty() {
+        let lead = format!("{} wrong.", are(wrong.len()));
+        let rest = "Pixels differ from the ray-traced reference farther than one pixel from the true shadow \
+            boundary. Read these times together with their errors:";
+        banners.push(banner(
+            "grave",
+            &lead,
+            rest,
+            &wrong_by_contender(run, &wrong),
+        ));
+    }
+    if !failed.is_empty() {
+        let lead = format!("{} failed:", number_of(failed.len(), "cell"));
+        let reasons: Vec<Markup> = failed.iter().map(|row| reason(run, row)).collect();
+        banners.push(banner("grave", &lead, "", &reasons));
+    }
+    if run.info.device.is_software() {
+        banners.push(software(&run.info.device.name));
+    }
+    if !unverified.is_empty() {
+        let lead = format!("{} unverified.", are(unverified.len()));
+        let rest = "Measured, but not compared with the reference.";
+        banners.push(banner("", &lead, rest, &[]));
+    }
+    html! { @for banner in banners { (banner) } }
 }
 
 /// What must be known of a device that is none.
 pub(super) fn software(device: &str) -> Markup {
-    html! {
-        strong { "Software device." }
-        " " (device) " renders on the processor. The pictures and error counts hold; the times say "
-        "nothing about a GPU."
-    }
+    let rest = format!(
+        "{device} renders on the processor. The pictures and error counts hold; the times say nothing about a GPU."
+    );
+    banner("", "Software device.", &rest, &[])
 }
 
 /// What became of a run that is not complete.
@@ -78,24 +70,18 @@ fn rows(run: &Run, which: fn(&Summary) -> bool) -> Vec<&Summary> {
     run.summaries.iter().filter(|row| which(row)).collect()
 }
 
-fn cells(number: usize) -> String {
-    if number == 1 {
-        "1 cell".to_owned()
-    } else {
-        format!("{number} cells")
-    }
+fn are(cells: usize) -> String {
+    let verb = if cells == 1 { "is" } else { "are" };
+    format!("{} {verb}", number_of(cells, "cell"))
 }
 
-fn are(number: usize) -> String {
-    format!(
-        "{} {}",
-        cells(number),
-        if number == 1 { "is" } else { "are" }
-    )
+fn reason(run: &Run, row: &Summary) -> Markup {
+    let (scene, contender) = (run.scene_title(&row.scene), run.contender(row));
+    html! { (scene) ", " (contender.label()) ": " (row.reason) }
 }
 
 /// A line per contender, not per cell: a method that is wrong is mostly wrong everywhere.
-fn wrong_by_contender(run: &Run, wrong: &[&Summary]) -> Vec<String> {
+fn wrong_by_contender(run: &Run, wrong: &[&Summary]) -> Vec<Markup> {
     let sum_px = |row: &Summary| row.artifact_px.unwrap_or_default();
     let per_frame = |row: &Summary| sum_px(row) as f64 / f64::from(row.verified_frames);
     let mut lines = Vec::new();
@@ -108,19 +94,10 @@ fn wrong_by_contender(run: &Run, wrong: &[&Summary]) -> Vec<String> {
         let name = contender.label();
         let px = px_per_frame(sum_px(worst), worst.verified_frames);
         let scene = run.scene_title(&worst.scene);
-        lines.push(if scenes == 1 {
-            format!("{name}: {px} artifact pixels per frame in {scene}")
-        } else {
-            format!("{name}: in {scenes} scenes, up to {px} artifact pixels per frame ({scene})")
+        lines.push(html! {
+            @if scenes == 1 { (name) ": " (px) " artifact pixels per frame in " (scene) }
+            @else { (name) ": in " (scenes) " scenes, up to " (px) " artifact pixels per frame (" (scene) ")" }
         });
     }
     lines
-}
-
-fn name(run: &Run, row: &Summary) -> String {
-    format!(
-        "{}, {}",
-        run.scene_title(&row.scene),
-        run.contender(row).label()
-    )
 }

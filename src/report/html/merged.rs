@@ -2,25 +2,32 @@
 
 use maud::{Markup, html};
 
-use super::{banners, facts, links_to, paper_sections, plots_section, shell};
+use super::provenance::warnings;
+use super::shell::{Section, banner, facts, page as shell_page, plots as plots_section};
+use super::{banners, paper};
+use crate::report::format::number_of;
 use crate::report::groups::Group;
 use crate::report::load::Run;
 use crate::report::paper::Paper;
 use crate::report::plots::Plot;
 
 /// The page of the groups' runs.
-pub(crate) fn page(groups: &[Group<'_>], paper: Option<&Paper>, plots: &[Plot]) -> String {
-    let plots: Vec<&Plot> = plots.iter().collect();
-    let mut links = links_to(paper, !plots.is_empty());
-    links.push(("provenance", "Provenance"));
-    let main = html! {
-        (notes(groups, paper))
-        (paper_sections(paper))
-        (plots_section(&plots))
-        (provenance(groups))
+pub(crate) fn page(groups: &[Group<'_>], papers: &[Paper], plots: &[Plot]) -> String {
+    let mut sections: Vec<Section> = papers.iter().flat_map(paper::sections).collect();
+    sections.extend(plots_section(&plots.iter().collect::<Vec<_>>()));
+    let runs = html! {
+        @for group in groups {
+            @for run in &group.runs { (run_facts(&group.label, run)) }
+        }
     };
-    let title = "Runs beside the paper";
-    shell(title, &devices(groups), &links, &main)
+    sections.push(Section::new("provenance", "Provenance", runs));
+    let banners = notes(groups, papers);
+    shell_page(
+        "Runs beside the paper",
+        &devices(groups),
+        &banners,
+        &sections,
+    )
 }
 
 /// The groups, and how many runs each has.
@@ -28,64 +35,35 @@ fn devices(groups: &[Group<'_>]) -> Markup {
     html! {
         dl.facts {
             @for group in groups {
-                div {
-                    dt {
-                        @match group.runs.len() { 1 => { "1 run" } n => { (n) " runs" } }
-                    }
-                    dd { (group.label) }
-                }
+                div { dt { (number_of(group.runs.len(), "run")) } dd { (group.label) } }
             }
         }
     }
 }
 
-fn notes(groups: &[Group<'_>], paper: Option<&Paper>) -> Markup {
-    let runs = || groups.iter().flat_map(|group| group.runs.iter());
-    let unfinished: Vec<(&Run, &str)> = runs()
-        .filter_map(|run| Some((*run, banners::unfinished(run.info.status)?)))
-        .collect();
+fn notes(groups: &[Group<'_>], papers: &[Paper]) -> Markup {
+    let runs = groups.iter().flat_map(|group| group.runs.iter());
+    let unfinished = runs.filter_map(|run| {
+        let what = banners::unfinished(run.info.status)?;
+        Some(html! { code { (run.dir.display()) } ": " (what) })
+    });
+    let unfinished: Vec<Markup> = unfinished.collect();
+    let software = groups.iter().filter(|group| group.software);
+    let missing = "None of these runs has a cell of the paper's tables.";
     html! {
         @if !unfinished.is_empty() {
-            div.banner.grave role="note" {
-                p { strong { "Not all runs are complete." } " What they left is shown." }
-                ul {
-                    @for (run, what) in unfinished {
-                        li { code { (run.dir.display()) } ": " (what) }
-                    }
-                }
-            }
+            (banner("grave", "Not all runs are complete.", "What they left is shown.", &unfinished))
         }
-        @if paper.is_none() {
-            div.banner.grave role="note" {
-                p {
-                    strong { "Nothing to compare." }
-                    " None of these runs has a cell of the paper's tables."
-                }
-            }
-        }
-        @for group in groups.iter().filter(|group| group.software) {
-            div.banner role="note" { p { (banners::software(&group.label)) } }
-        }
-    }
-}
-
-fn provenance(groups: &[Group<'_>]) -> Markup {
-    html! {
-        section #provenance {
-            h2 { "Provenance" }
-            @for group in groups {
-                @for run in &group.runs { (run_facts(&group.label, run)) }
-            }
-        }
+        @if papers.is_empty() { (banner("grave", "Nothing to compare.", missing, &[])) }
+        @for group in software { (banners::software(&group.label)) }
     }
 }
 
 fn run_facts(label: &str, run: &Run) -> Markup {
     let info = &run.info;
-    let scale = if info.scale.is_empty() {
-        "full"
-    } else {
-        &info.scale
+    let scale = match info.scale.as_str() {
+        "" => "full",
+        scale => scale,
     };
     html! {
         h3 { (info.title) span.quiet { " " (label) } }
@@ -96,8 +74,6 @@ fn run_facts(label: &str, run: &Run) -> Markup {
             dt { "Started" } dd { (info.started) }
             dt { "Shaders" } dd { code { (info.shader_hash) } }
         }
-        @if !run.warnings.is_empty() {
-            ul.warnings { @for warning in &run.warnings { li { (warning) } } }
-        }
+        @if !run.warnings.is_empty() { (warnings(&run.warnings)) }
     }
 }

@@ -1,87 +1,60 @@
-//! The paper's tables with measured devices beside the published ones.
+//! A paper's tables with measured devices beside the published ones, and its claims.
 
 use maud::{Markup, html};
 
-use crate::report::paper::Sheet;
-use crate::report::paper::sheet::Column;
-use crate::report::paper::tables::Address;
+use super::shell::{Section, banner, details};
+use crate::report::paper::Paper;
+use crate::report::paper::ledger::{Ledger, SOFTWARE_NOTE};
 
-/// The section of the paper's tables.
-pub(super) fn section(sheets: &[Sheet]) -> Markup {
-    html! {
-        section #paper {
-            h2 { "The paper's tables" }
-            p.note {
-                "Milet, Kobrtek, Zemčík, Pečiva: " em { "Fast and Robust Tessellation-Based "
-                "Silhouette Shadows" } ", 2014. Published numbers stand beside measured ones. "
-                "They come from other hardware and another flight: compare how methods rank and "
-                "scale, not the values."
-            }
-            @for sheet in sheets { (table(sheet)) }
+/// The sections of a paper.
+pub(super) fn sections(paper: &Paper) -> [Section; 2] {
+    let published = paper.published;
+    let prefix = &published.prefix;
+    // The first paper's headings need no name: its sections are *the* paper's.
+    let title = |alone: &str, of: &str| match prefix.as_str() {
+        "" => alone.to_owned(),
+        _ => format!("{of} of {}", published.short),
+    };
+    let tables = html! {
+        p.note {
+            (published.authors) ": " em { (published.title) } ", " (published.year) ". Published numbers stand "
+            "beside measured ones. They come from other hardware and another flight: compare how methods rank and "
+            "scale, not the values."
         }
-    }
+        @for sheet in &paper.sheets {
+            h3 { (sheet.title()) }
+            (sheet.table().html())
+            ul.note { @for note in sheet.notes() { li { (note) } } }
+        }
+    };
+    let claims = title("The paper's claims", "Claims");
+    let link = title("Its claims", "Claims");
+    [
+        Section::new(
+            format!("{prefix}paper"),
+            title("The paper's tables", "Tables"),
+            tables,
+        ),
+        Section::new(format!("{prefix}ledger"), claims, ledger(&paper.ledger)).linked(link),
+    ]
 }
 
-fn table(sheet: &Sheet) -> Markup {
-    let title = sheet.title();
-    let corner = if sheet.spec.series_are_rows {
-        "Method"
-    } else {
-        sheet.spec.points
-    };
-    html! {
-        h3 { (title) }
-        div.scroll tabindex="0" role="region" aria-label=(title) {
-            table.paper {
-                thead {
-                    tr {
-                        th.text scope="col" rowspan="2" { (corner) }
-                        @for column in &sheet.columns {
-                            th.group.measured[!column.is_published()] scope="colgroup"
-                                colspan=(sheet.across())
-                            {
-                                (column.device)
-                                small { @if column.is_published() { "published" } @else { "measured" } }
-                            }
-                        }
-                    }
-                    tr {
-                        @for column in &sheet.columns {
-                            @for across in 0..sheet.across() {
-                                th.measured[!column.is_published()].first[across == 0] scope="col" {
-                                    (sheet.across_name(across))
-                                }
-                            }
-                        }
-                    }
-                }
-                tbody {
-                    @for down in 0..sheet.down() {
-                        tr {
-                            th.text scope="row" { (sheet.down_name(down)) }
-                            @for column in &sheet.columns {
-                                @for across in 0..sheet.across() {
-                                    (cell(sheet, column, sheet.address(down, across), across == 0))
-                                }
-                            }
-                        }
-                    }
-                }
+fn ledger(ledger: &Ledger) -> Markup {
+    let rules = html! {
+        dl.settings {
+            @for (ids, rule) in ledger.rules() {
+                dt { @for id in ids.split(", ") { code { (id) } br; } }
+                dd { (rule) }
             }
         }
-        ul.note { @for note in sheet.notes() { li { (note) } } }
-    }
-}
-
-fn cell(sheet: &Sheet, column: &Column, Address { series, point }: Address, first: bool) -> Markup {
-    let Some(cell) = column.cell(series, point) else {
-        return html! { td.first[first].measured[!column.is_published()] { "–" } };
     };
-    let fps = format!("{}{}", cell.text(), cell.mask.mark());
     html! {
-        td.first[first].measured[!column.is_published()] {
-            @if column.is_best(series, point) { strong { (fps) } } @else { (fps) }
-            @for part in sheet.beside(cell) { small { (part) } }
+        @for device in &ledger.software { (banner("", device, SOFTWARE_NOTE, &[])) }
+        (ledger.table().html())
+        p.note {
+            "\u{201c}Rests on\u{201d} counts comparisons: two measured cells held against each "
+            "other, of as many as the paper's tables have for the claim."
         }
+        (details("How verdicts are reached", &rules))
     }
 }

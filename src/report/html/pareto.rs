@@ -2,26 +2,26 @@
 
 use maud::{Markup, html};
 
-use super::figures;
+use super::shell::{Section, details, figures};
 use crate::report::format::{count, ms, px_per_frame};
 use crate::report::load::Run;
 use crate::report::pareto::{Cloud, PARETO_FILE, Point};
 use crate::report::plots::Plot;
+use crate::report::table::{Cell, Column, Row, Table};
 
-/// The section; nothing where there is no chart.
-pub(super) fn section(run: &Run, clouds: &[Cloud], plots: &[&Plot]) -> Markup {
-    html! {
-        @if !clouds.is_empty() {
-            section #pareto {
-                h2 { "Accuracy against speed" }
-                (explanation(clouds.iter().any(|cloud| cloud.scene.is_none())))
-                div.plots { (figures(plots)) }
-                @for cloud in clouds {
-                    details { summary { "The front in figures, " (title(run, cloud)) } (table(cloud)) }
-                }
-            }
-        }
-    }
+/// The section; none where there is no chart.
+pub(super) fn section(run: &Run, clouds: &[Cloud], plots: &[&Plot]) -> Option<Section> {
+    let title = |cloud: &Cloud| {
+        let scene = cloud.scene.as_deref();
+        let title = scene.map_or("over all scenes", |scene| run.scene_title(scene));
+        format!("The front in figures, {title}")
+    };
+    let content = html! {
+        (explanation(clouds.iter().any(|cloud| cloud.scene.is_none())))
+        (figures(plots))
+        @for cloud in clouds { (details(&title(cloud), &table(cloud).html())) }
+    };
+    (!clouds.is_empty()).then(|| Section::new("pareto", "Accuracy against speed", content))
 }
 
 fn explanation(over_all: bool) -> Markup {
@@ -48,55 +48,38 @@ fn explanation(over_all: bool) -> Markup {
     }
 }
 
-fn title<'a>(run: &'a Run, cloud: &'a Cloud) -> &'a str {
-    let scene = cloud.scene.as_deref();
-    scene.map_or("over all scenes", |scene| run.scene_title(scene))
-}
-
-fn table(cloud: &Cloud) -> Markup {
-    let mut others: Vec<&Point> = Vec::new();
-    others.extend(
-        cloud
-            .points
-            .iter()
-            .filter(|point| point.dominated_by.is_some()),
-    );
+fn table(cloud: &Cloud) -> Table {
+    let mut others: Vec<&Point> = cloud.points.iter().collect();
+    others.retain(|point| point.dominated_by.is_some());
     others.sort_by(|a, b| a.shadow_ms.total_cmp(&b.shadow_ms));
     let front = cloud.front().into_iter().map(|index| &cloud.points[index]);
-    html! {
-        div.scroll tabindex="0" role="region" aria-label="The front in figures" {
-            table {
-                thead {
-                    tr {
-                        th.text scope="col" { "Method" }
-                        th scope="col" { "Shadow" small { "ms" } }
-                        th scope="col" { "Interval" small { "ms" } }
-                        th scope="col" { "Wrong" small { "px per frame" } }
-                        th scope="col" { "Interval" small { "px" } }
-                        th.text scope="col" { "Dominated by" }
-                    }
-                }
-                tbody {
-                    @for point in front.chain(others) { (row(cloud, point)) }
-                }
-            }
-        }
-    }
+    let columns = [
+        Column::heads("Method", "method"),
+        Column::number("Shadow").unit("ms"),
+        Column::number("Interval").unit("ms"),
+        Column::number("Wrong").unit("px per frame"),
+        Column::number("Interval").unit("px"),
+        Column::text("Dominated by"),
+    ];
+    let rows = front.chain(others).map(|point| row(cloud, point));
+    Table::new("The front in figures", columns).extend(rows)
 }
 
-fn row(cloud: &Cloud, point: &Point) -> Markup {
+fn row(cloud: &Cloud, point: &Point) -> Row {
     let by = point
         .dominated_by
         .map(|by| cloud.points[by].contender.label());
-    html! {
-        tr.absent[by.is_some()] {
-            th.method scope="row" { code { (point.contender.label()) } }
-            td { (ms(point.shadow_ms)) }
-            td { (range(point.shadow_ms_range, ms)) }
-            td { (wrong_px(cloud, point)) }
-            td { (range(point.wrong_px_range, px)) }
-            td.text { (by.as_deref().unwrap_or("– on the front")) }
-        }
+    let cells = [
+        Cell::code(point.contender.label()),
+        ms(point.shadow_ms).into(),
+        range(point.shadow_ms_range, ms),
+        wrong_px(cloud, point).into(),
+        range(point.wrong_px_range, px),
+        by.as_deref().unwrap_or("– on the front").into(),
+    ];
+    Row {
+        is_faint: by.is_some(),
+        ..cells.into()
     }
 }
 
@@ -112,21 +95,20 @@ fn wrong_px(cloud: &Cloud, point: &Point) -> String {
 /// Pixels that need not be whole; as [`px_per_frame`], never nothing where there is something.
 fn px(value: f64) -> String {
     if value >= 100.0 {
-        count(value.round() as u64)
-    } else if value > 0.0 && value < 0.001 {
-        "<0.001".to_owned()
-    } else {
-        let digits = format!("{value:.3}");
-        digits
-            .trim_end_matches('0')
-            .trim_end_matches('.')
-            .to_owned()
+        return count(value.round() as u64);
     }
+    if value > 0.0 && value < 0.001 {
+        return "<0.001".to_owned();
+    }
+    let digits = format!("{value:.3}");
+    digits
+        .trim_end_matches('0')
+        .trim_end_matches('.')
+        .to_owned()
 }
 
-fn range(range: Option<(f64, f64)>, text: fn(f64) -> String) -> String {
-    range.map_or_else(
-        || "–".to_owned(),
-        |(low, high)| format!("{} – {}", text(low), text(high)),
-    )
+fn range(range: Option<(f64, f64)>, text: fn(f64) -> String) -> Cell {
+    range
+        .map(|(low, high)| format!("{} – {}", text(low), text(high)))
+        .into()
 }

@@ -1,6 +1,8 @@
 //! One picture: in the page, or a link to its file.
 
+use std::collections::HashSet;
 use std::fs;
+use std::hash::Hash;
 use std::io::ErrorKind;
 use std::path::Path;
 
@@ -10,7 +12,47 @@ use base64::engine::general_purpose::STANDARD as BASE64;
 use maud::{Markup, html};
 
 use crate::record::IMAGES_DIR;
+use crate::report::LegendEntry;
 use crate::report::load::Run;
+
+/// A page holds pictures up to this size; a browser opens one of a third more, as base64 makes it,
+/// without a wait.
+const MAX_BYTES: u64 = 22 << 20;
+
+/// What of a run's pictures a page holds; to the others it links.
+pub(super) struct Held<K> {
+    held: HashSet<K>,
+    all: bool,
+}
+
+impl<K: Eq + Hash> Held<K> {
+    /// The first ones, as many as fit. Once one does not, no lesser one is let in for being small.
+    pub(super) fn as_many_as_fit(pictures: impl Iterator<Item = (K, u64)>) -> Self {
+        let (mut held, mut left_bytes) = (HashSet::new(), MAX_BYTES);
+        for (key, bytes) in pictures {
+            match left_bytes.checked_sub(bytes) {
+                Some(left) => left_bytes = left,
+                None => return Self { held, all: false },
+            }
+            held.insert(key);
+        }
+        Self { held, all: true }
+    }
+
+    pub(super) fn holds(&self, key: &K) -> bool {
+        self.all || self.held.contains(key)
+    }
+
+    /// Whether no picture is left out.
+    pub(super) fn holds_all(&self) -> bool {
+        self.all
+    }
+}
+
+/// The size of a file; 0 for one that cannot be read, which is reported where it is embedded.
+pub(super) fn size_bytes(path: &Path) -> u64 {
+    path.metadata().map_or(0, |data| data.len())
+}
 
 /// A picture that there is.
 pub(super) struct Picture {
@@ -82,6 +124,23 @@ impl Picture {
             Source::Linked(address) => html! {
                 a href=(address) aria-label=(self.alt) { (self.caption) }
             },
+        }
+    }
+}
+
+/// What the colours of error maps mean.
+pub(super) fn legend_list(legend: &[LegendEntry]) -> Markup {
+    html! {
+        div.legend {
+            p { "Colours of the error maps" }
+            ul {
+                @for LegendEntry { label, rgb: [r, g, b] } in legend {
+                    li {
+                        span.swatch style={ "background:rgb(" (r) "," (g) "," (b) ")" } {}
+                        (label)
+                    }
+                }
+            }
         }
     }
 }

@@ -2,14 +2,17 @@
 
 use maud::{Markup, html};
 
+use super::shell::{Section, details};
 use crate::record::{DeviceRecord, HostRecord, SceneRecord};
 use crate::report::format::count;
 use crate::report::load::Run;
+use crate::report::table::{Cell, Column, Table};
 
 /// The provenance section.
-pub(super) fn section(run: &Run) -> Markup {
+pub(super) fn section(run: &Run) -> Section {
     let info = &run.info;
     let origin = Origin {
+        warnings: &run.warnings,
         command: &info.command,
         started: &info.started,
         program_version: &info.program_version,
@@ -19,23 +22,20 @@ pub(super) fn section(run: &Run) -> Markup {
         seed: info.seed,
         shader_hash: &info.shader_hash,
         format: info.format,
+        config_path: &info.config_path,
+        config_text: &info.config_text,
     };
-    html! {
-        section #provenance {
-            h2 { "Provenance" }
-            (warnings(&run.warnings))
-            (settings(&origin))
-            h3 { "Scenes" }
-            (scenes(&info.scenes))
-            h3 { "Methods" }
-            (methods(run))
-            (configuration(&info.config_path, &info.config_text))
-        }
-    }
+    origin.section(&html! {
+        h3 { "Scenes" }
+        (scenes(&info.scenes).html())
+        h3 { "Methods" }
+        (methods(run).html())
+    })
 }
 
 /// Where the numbers of a run of any kind come from.
 pub(super) struct Origin<'a> {
+    pub warnings: &'a [String],
     pub command: &'a [String],
     pub started: &'a str,
     pub program_version: &'a str,
@@ -45,107 +45,94 @@ pub(super) struct Origin<'a> {
     pub seed: u64,
     pub shader_hash: &'a str,
     pub format: u32,
+    pub config_path: &'a str,
+    pub config_text: &'a str,
 }
 
-/// Program, device, machine and all else that a run was started with.
-pub(super) fn settings(origin: &Origin<'_>) -> Markup {
-    let has = |stage: bool| if stage { "yes" } else { "no" };
-    let Origin { device, host, .. } = origin;
-    let device_text = format!(
-        "{}, {}, vendor 0x{:04x}; tessellation: {}, geometry stage: {}",
-        device.name,
-        device.device_type,
-        device.vendor_id,
-        has(device.tessellation),
-        has(device.geometry)
-    );
-    let host = format!(
-        "{} {}, {} logical processors",
-        host.os, host.arch, host.cores
-    );
-    html! {
-        dl.settings {
-            dt { "Command" } dd { code { (origin.command.join(" ")) } }
-            dt { "Started" } dd { (origin.started) }
-            dt { "Program" } dd { "svbench " (origin.program_version) " " code { (origin.program_git) } }
-            dt { "Device" } dd { (device_text) }
-            dt { "Driver" } dd { (device.driver) " " (device.driver_info) ", " (device.backend) }
-            dt { "Host" } dd { (host) }
-            dt { "Seed" } dd { (origin.seed) }
-            dt { "Shaders" } dd { code { (origin.shader_hash) } }
-            dt { "Run format" } dd { (origin.format) }
+impl Origin<'_> {
+    /// The section, with the tables of what was run.
+    pub(super) fn section(&self, tables: &Markup) -> Section {
+        let configuration = html! { "Configuration " code { (self.config_path) } };
+        let text = html! { pre { code { (self.config_text) } } };
+        let content = html! {
+            @if !self.warnings.is_empty() {
+                h3 { "Warnings" }
+                (warnings(self.warnings))
+            }
+            (self.settings())
+            (tables)
+            @if !self.config_text.is_empty() { (details(&configuration, &text)) }
+        };
+        Section::new("provenance", "Provenance", content)
+    }
+
+    /// Program, device, machine and all else that a run was started with.
+    fn settings(&self) -> Markup {
+        let has = |stage: bool| if stage { "yes" } else { "no" };
+        let Self { device, host, .. } = self;
+        let device_text = format!(
+            "{}, {}, vendor 0x{:04x}; tessellation: {}, geometry stage: {}",
+            device.name,
+            device.device_type,
+            device.vendor_id,
+            has(device.tessellation),
+            has(device.geometry)
+        );
+        let host = format!(
+            "{} {}, {} logical processors",
+            host.os, host.arch, host.cores
+        );
+        html! {
+            dl.settings {
+                dt { "Command" } dd { code { (self.command.join(" ")) } }
+                dt { "Started" } dd { (self.started) }
+                dt { "Program" } dd { "svbench " (self.program_version) " " code { (self.program_git) } }
+                dt { "Device" } dd { (device_text) }
+                dt { "Driver" } dd { (device.driver) " " (device.driver_info) ", " (device.backend) }
+                dt { "Host" } dd { (host) }
+                dt { "Seed" } dd { (self.seed) }
+                dt { "Shaders" } dd { code { (self.shader_hash) } }
+                dt { "Run format" } dd { (self.format) }
+            }
         }
     }
 }
 
 /// What a reading of a run had to work around, and what the run itself warns of.
 pub(super) fn warnings(warnings: &[String]) -> Markup {
-    html! {
-        @if !warnings.is_empty() {
-            h3 { "Warnings" }
-            ul.warnings { @for warning in warnings { li { (warning) } } }
-        }
-    }
+    html! { ul.warnings { @for warning in warnings { li { (warning) } } } }
 }
 
-/// The configuration, word for word.
-pub(super) fn configuration(path: &str, text: &str) -> Markup {
-    html! {
-        @if !text.is_empty() {
-            details {
-                summary { "Configuration " code { (path) } }
-                pre { code { (text) } }
-            }
-        }
-    }
-}
-
-fn scenes(scenes: &[SceneRecord]) -> Markup {
-    html! {
-        div.scroll tabindex="0" role="region" aria-label="Scenes" {
-            table {
-                thead {
-                    tr {
-                        th.text scope="col" { "Scene" }
-                        th scope="col" { "Triangles" }
-                        th scope="col" { "Objects" }
-                        th scope="col" { "Boundary" small { "edges" } }
-                        th scope="col" { "Manifold" small { "edges" } }
-                        th scope="col" { "Non-manifold" small { "edges" } }
-                        th.text scope="col" { "Light" }
-                        th.text scope="col" { "Mesh hash" }
-                    }
-                }
-                tbody {
-                    @for scene in scenes {
-                        tr {
-                            th.text scope="row" { code { (scene.name) } }
-                            (count_cell(scene.triangles))
-                            (count_cell(scene.objects))
-                            (count_cell(scene.edges.map(|edges| edges.boundary)))
-                            (count_cell(scene.edges.map(|edges| edges.manifold)))
-                            (count_cell(scene.edges.map(|edges| edges.non_manifold)))
-                            td.text { (light(scene)) }
-                            td.text { code { (scene.mesh_hash) } }
-                        }
-                    }
-                }
-            }
-        }
-    }
-}
-
-fn count_cell(value: Option<u64>) -> Markup {
-    html! { td { (value.map_or_else(|| "–".to_owned(), count)) } }
+fn scenes(scenes: &[SceneRecord]) -> Table {
+    let columns = [
+        Column::heads("Scene", "text"),
+        Column::number("Triangles"),
+        Column::number("Objects"),
+        Column::number("Boundary").unit("edges"),
+        Column::number("Manifold").unit("edges"),
+        Column::number("Non-manifold").unit("edges"),
+        Column::text("Light"),
+        Column::text("Mesh hash"),
+    ];
+    let rows = scenes.iter().map(|scene| {
+        [
+            Cell::code(&scene.name),
+            scene.triangles.map(count).into(),
+            scene.objects.map(count).into(),
+            scene.edges.map(|edges| count(edges.boundary)).into(),
+            scene.edges.map(|edges| count(edges.manifold)).into(),
+            scene.edges.map(|edges| count(edges.non_manifold)).into(),
+            light(scene).into(),
+            Cell::code(&scene.mesh_hash),
+        ]
+    });
+    Table::new("Scenes", columns).extend(rows)
 }
 
 fn light(scene: &SceneRecord) -> String {
     let [x, y, z] = scene.light;
-    let kind = if scene.light_w == 0.0 {
-        "towards"
-    } else {
-        "at"
-    };
+    let is_directional = scene.light_w == 0.0;
+    let kind = if is_directional { "towards" } else { "at" };
     let moves = if scene.light_moves {
         " at the start; it moves"
     } else {
@@ -154,29 +141,20 @@ fn light(scene: &SceneRecord) -> String {
     format!("{kind} ({x}, {y}, {z}){moves}")
 }
 
-fn methods(run: &Run) -> Markup {
-    html! {
-        div.scroll tabindex="0" role="region" aria-label="Methods" {
-            table {
-                thead {
-                    tr {
-                        th.text scope="col" { "Method" }
-                        th.text scope="col" { "Variant" }
-                        th.text scope="col" { "Name" }
-                        th.text scope="col" { "Stages" }
-                    }
-                }
-                tbody {
-                    @for method in &run.info.methods {
-                        tr {
-                            th.text scope="row" { code { (method.id) } }
-                            td.text { (method.variant) }
-                            td.text { (method.title) }
-                            td.text { (method.stages.join(" → ")) }
-                        }
-                    }
-                }
-            }
-        }
-    }
+fn methods(run: &Run) -> Table {
+    let columns = [
+        Column::heads("Method", "text"),
+        Column::text("Variant"),
+        Column::text("Name"),
+        Column::text("Stages"),
+    ];
+    let rows = run.info.methods.iter().map(|method| {
+        [
+            Cell::code(&method.id),
+            method.variant.as_str().into(),
+            method.title.as_str().into(),
+            method.stages.join(" → ").into(),
+        ]
+    });
+    Table::new("Methods", columns).extend(rows)
 }

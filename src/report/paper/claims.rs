@@ -1,14 +1,8 @@
-//! What the paper claims, from `results/published/milet2014_claims.toml`, which comes with the
-//! program.
+//! What a paper claims, and how that is held against numbers.
 
-use anyhow::{Context as _, Result};
 use serde::Deserialize;
 
-use super::spec::Place;
-
-const FILE: &str = include_str!("../../../results/published/milet2014_claims.toml");
-
-/// A claim of the paper.
+/// A claim of a paper.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Claim {
@@ -25,11 +19,11 @@ pub struct Claim {
     pub check: Check,
 }
 
-/// How a claim is held against numbers. Series are named as in the published tables.
+/// How a claim is held against numbers. Tables go by their numbers, series and scenes by their ids.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields)]
 pub enum Check {
-    /// A series is faster than another by so many percent: FPS over FPS, less one.
+    /// A series is faster than another by so many percent: speed over speed, less one.
     SpeedUp {
         /// The faster series.
         series: String,
@@ -51,7 +45,7 @@ pub enum Check {
         /// The slower ones.
         than: Vec<String>,
         /// Where.
-        scenes: Vec<Place>,
+        scenes: Vec<String>,
     },
     /// A series is faster than another up to a number of triangles.
     Crossover {
@@ -64,12 +58,12 @@ pub enum Check {
         /// The number of triangles claimed.
         triangles: u64,
     },
-    /// A series reaches a share of another's FPS.
+    /// A series reaches a share of another's speed.
     Share {
         /// Number of the table.
         table: u8,
         /// Where.
-        scene: Place,
+        scene: String,
         /// The slower series.
         series: String,
         /// The faster one.
@@ -82,9 +76,9 @@ pub enum Check {
         /// Number of the table.
         table: u8,
         /// The scene of less geometry.
-        small: Place,
+        small: String,
         /// The scene of more geometry.
-        large: Place,
+        large: String,
         /// Who gains on whom.
         pairs: Vec<Pair>,
     },
@@ -98,19 +92,4 @@ pub struct Pair {
     pub series: String,
     /// The series on which it gains.
     pub over: String,
-}
-
-/// The paper's claims, in the file's order.
-///
-/// # Errors
-/// Where the file is damaged; the tests hold that it is not.
-pub fn claims() -> Result<Vec<Claim>> {
-    #[derive(Deserialize)]
-    #[serde(deny_unknown_fields)]
-    struct File {
-        claims: Vec<Claim>,
-    }
-    let file: File =
-        toml::from_str(FILE).context("results/published/milet2014_claims.toml is damaged")?;
-    Ok(file.claims)
 }

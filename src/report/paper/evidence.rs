@@ -2,8 +2,8 @@
 
 use anyhow::{Context as _, Result};
 
-use super::sheet::{Column, Mask, Sheet, Source};
-use super::spec::Point;
+use super::sheet::{Column, Point, Sheet, Source};
+use super::value::Mask;
 
 /// The numbers of one measurer: of the paper's authors on all their devices, or of one device here.
 #[derive(Debug, Clone, Copy)]
@@ -12,69 +12,80 @@ pub(super) struct Evidence<'a> {
     pub(super) source: Source,
 }
 
-/// A series' FPS over another's, wherever both were measured.
+/// A series' speed over another's, wherever both were measured.
 #[derive(Debug, Clone)]
 pub(super) struct Ratios<'a> {
     pub(super) list: Vec<Ratio<'a>>,
     /// How many there would be had everything been measured.
     pub(super) possible: usize,
     /// The series' names for people.
-    pub(super) names: [&'static str; 2],
+    pub(super) names: [&'a str; 2],
 }
 
 /// The ratio of two cells.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Ratio<'a> {
     pub(super) device: &'a str,
-    pub(super) point: Point,
+    pub(super) point: &'a Point,
     pub(super) ratio: f64,
     /// Whether the mask behind either was wrong.
     pub(super) wrong: bool,
 }
 
 impl<'a> Evidence<'a> {
+    fn sheet(&self, table: u8) -> Result<&'a Sheet> {
+        let sheet = self.sheets.iter().find(|sheet| sheet.spec.number == table);
+        sheet.with_context(|| format!("a claim names table {table}"))
+    }
+
     /// The ratios of `series` over `over` in a table, at the points wanted.
     pub(super) fn ratios(
         &self,
         table: u8,
         [series, over]: [&str; 2],
-        wanted: impl Fn(Point) -> bool,
+        wanted: impl Fn(&Point) -> bool,
     ) -> Result<Ratios<'a>> {
-        let sheets: &'a [Sheet] = self.sheets;
-        let sheet = sheets.iter().find(|sheet| sheet.spec.number == table);
-        let sheet = sheet.with_context(|| format!("a claim names table {table}"))?;
+        let sheet = self.sheet(table)?;
         let index = |id: &str| {
-            let all = sheet.spec.series;
-            let found = all.iter().position(|series| series.id == id);
+            let found = sheet.spec.series.iter().position(|series| series == id);
             found.with_context(|| format!("a claim names {id}, which table {table} lacks"))
         };
         let (series, over) = (index(series)?, index(over)?);
-        let points: Vec<(usize, Point)> = sheet
-            .points
-            .iter()
-            .copied()
-            .enumerate()
-            .filter(|(_, point)| wanted(*point))
-            .collect();
+        let points = sheet.points.iter().enumerate();
+        let points: Vec<(usize, &Point)> = points.filter(|(_, point)| wanted(point)).collect();
         let own = |column: &&Column| column.source == self.source;
         let columns: Vec<&Column> = sheet.columns.iter().filter(own).collect();
+        let speed = |value: f64| sheet.paper.quantity.speed(value);
         let mut list = Vec::new();
         for column in &columns {
             for (place, point) in &points {
-                let both = column.cell(series, *place).zip(column.cell(over, *place));
+                let both = column.value(series, *place).zip(column.value(over, *place));
                 list.extend(both.map(|(a, b)| Ratio {
                     device: &column.device,
-                    point: *point,
-                    ratio: a.fps / b.fps,
+                    point,
+                    ratio: speed(a.value) / speed(b.value),
                     wrong: [a.mask, b.mask].contains(&Mask::Wrong),
                 }));
             }
         }
+        let name = |index: usize| sheet.paper.series[&sheet.spec.series[index]].name.as_str();
         Ok(Ratios {
             list,
             possible: points.len() * columns.len().max(1),
-            names: [series, over].map(|index| sheet.spec.series[index].name),
+            names: [name(series), name(over)],
         })
+    }
+
+    /// The name of a place of a table in a sentence.
+    pub(super) fn place(&self, table: u8, id: &str) -> Result<&'a str> {
+        let point = self
+            .sheet(table)?
+            .points
+            .iter()
+            .find(|point| point.id == id);
+        let point =
+            point.with_context(|| format!("a claim names {id}, which table {table} lacks"))?;
+        Ok(&point.short)
     }
 }
 

@@ -1,22 +1,62 @@
-//! What ratios say about a claim, a function a check; the rules are told by [`super::check`].
+//! The checks: how a claim is held against numbers, a function a check; the rules in words are in [`super::rules`].
 
 use anyhow::Result;
 
-use super::check::{Finding, Verdict};
-use super::claims::Pair;
+use super::claims::{Check, Pair};
 use super::evidence::{Evidence, Ratio, Ratios};
-use super::spec::{Place, Point};
+use super::finding::{Finding, Verdict};
+use super::rules::{CROSSOVER_FACTOR, SHARE_FACTOR, SPEED_UP_FACTOR};
 use crate::report::format::{count, factor, percent};
 
-/// A mean speed-up reproduces the claim if it lies within this factor of it.
-pub(super) const SPEED_UP_FACTOR: f64 = 2.0;
-/// A crossover reproduces the claim if it lies within this factor of it.
-pub(super) const CROSSOVER_FACTOR: f64 = 2.0;
-/// A share reproduces the claim if it lies within this factor of the shares claimed.
-pub(super) const SHARE_FACTOR: f64 = 1.5;
-
-pub(super) fn is_in(point: Point, places: &[Place]) -> bool {
-    places.iter().any(|place| point == Point::Scene(*place))
+impl Check {
+    /// What the evidence says.
+    pub(super) fn find(&self, evidence: &Evidence<'_>) -> Result<Finding> {
+        match self {
+            Self::SpeedUp {
+                series,
+                over,
+                tables,
+                mean_percent,
+                ..
+            } => speed_up(evidence, [series, over], tables, *mean_percent),
+            Self::Faster {
+                table,
+                series,
+                than,
+                scenes,
+            } => {
+                let of = |than: &String| {
+                    evidence.ratios(*table, [series, than], |point| scenes.contains(&point.id))
+                };
+                Ok(faster(&than.iter().map(of).collect::<Result<Vec<_>>>()?))
+            }
+            Self::Crossover {
+                table,
+                series,
+                than,
+                triangles,
+            } => {
+                let ratios = evidence.ratios(*table, [series, than], |_| true)?;
+                Ok(crossover(ratios, *triangles as f64))
+            }
+            Self::Share {
+                table,
+                scene,
+                series,
+                of,
+                percent,
+            } => {
+                let ratios = evidence.ratios(*table, [series, of], |point| point.id == *scene)?;
+                Ok(share(ratios, percent))
+            }
+            Self::Grows {
+                table,
+                small,
+                large,
+                pairs,
+            } => grows(evidence, *table, [small, large], pairs),
+        }
+    }
 }
 
 /// The mean speed-up in percent, and the highest.
@@ -26,7 +66,7 @@ fn mean_and_max<'a>(ratios: impl Iterator<Item = &'a Ratio<'a>>) -> Option<(f64,
     Some((all.iter().sum::<f64>() / all.len() as f64, max))
 }
 
-pub(super) fn speed_up(
+fn speed_up(
     evidence: &Evidence<'_>,
     series: [&str; 2],
     tables: &[u8],
@@ -62,7 +102,7 @@ fn within(value: f64, claimed: f64, factor: f64) -> bool {
     (claimed / factor..=claimed * factor).contains(&value)
 }
 
-pub(super) fn faster(ratios: &[Ratios<'_>]) -> Finding {
+fn faster(ratios: &[Ratios<'_>]) -> Finding {
     let all: Vec<f64> = ratios
         .iter()
         .flat_map(|ratios| ratios.list.iter().map(|ratio| ratio.ratio))
@@ -84,7 +124,7 @@ pub(super) fn faster(ratios: &[Ratios<'_>]) -> Finding {
 /// A number of triangles, and the ratio there.
 type At = (f64, f64);
 
-pub(super) fn crossover(ratios: Ratios<'_>, claimed: f64) -> Finding {
+fn crossover(ratios: Ratios<'_>, claimed: f64) -> Finding {
     let devices: Vec<(&str, Vec<At>)> = ratios
         .devices()
         .into_iter()
@@ -121,7 +161,7 @@ pub(super) fn crossover(ratios: Ratios<'_>, claimed: f64) -> Finding {
 /// Triangles and ratio, by ascending triangles.
 fn by_triangles<'a>(ratios: impl Iterator<Item = &'a Ratio<'a>>) -> Vec<At> {
     let mut points: Vec<At> = ratios
-        .filter_map(|ratio| Some((ratio.point.number()? as f64, ratio.ratio)))
+        .filter_map(|ratio| Some((ratio.point.number? as f64, ratio.ratio)))
         .collect();
     points.sort_by(|a, b| a.0.total_cmp(&b.0));
     points
@@ -158,7 +198,7 @@ fn rounded(triangles: f64) -> String {
     count(((triangles / unit).round() * unit) as u64)
 }
 
-pub(super) fn share(ratios: Ratios<'_>, claimed: &[f64]) -> Finding {
+fn share(ratios: Ratios<'_>, claimed: &[f64]) -> Finding {
     let shares: Vec<f64> = ratios.list.iter().map(|r| 100.0 * r.ratio).collect();
     let parts = ratios.list.iter().zip(&shares);
     let text: Vec<String> = parts
@@ -175,18 +215,19 @@ pub(super) fn share(ratios: Ratios<'_>, claimed: &[f64]) -> Finding {
     Finding::new(&[ratios], verdict, text.join("; ")).with_value(value, "share, %")
 }
 
-pub(super) fn grows(
+fn grows(
     evidence: &Evidence<'_>,
     table: u8,
-    [small, large]: [Place; 2],
+    [small, large]: [&str; 2],
     pairs: &[Pair],
 ) -> Result<Finding> {
     let mut all = Vec::new();
     let mut parts = Vec::new();
     let mut gains = Vec::new();
     for Pair { series, over } in pairs {
-        let at = |place| evidence.ratios(table, [series, over], |point| is_in(point, &[place]));
-        let (small, mut large) = (at(small)?, at(large)?);
+        let at = |place| evidence.ratios(table, [series, over], |point| point.id == place);
+        let (before_name, small, mut large) =
+            (evidence.place(table, small)?, at(small)?, at(large)?);
         // Only a device that has both scenes counts.
         large
             .list
@@ -198,7 +239,7 @@ pub(super) fn grows(
             after.wrong |= before.wrong;
             let [name, other] = large.names;
             parts.push(format!(
-                "{}{name} over {other} {}, on Sponza {}",
+                "{}{name} over {other} {}, on {before_name} {}",
                 small.whose(after.device),
                 factor(after.ratio),
                 factor(before.ratio)

@@ -3,16 +3,17 @@
 use anyhow::{Context as _, Result};
 use serde::Serialize;
 
-use super::check::{Finding, Verdict};
-use super::claims::{Claim, claims};
+use super::claims::Claim;
 use super::evidence::Evidence;
+use super::finding::{Finding, Verdict};
+use super::published::Publication;
 use super::sheet::{Sheet, Source};
 use crate::report::groups::Group;
-use crate::report::markdown::{align, escape};
+use crate::report::table::{Cell, Column, Table, escape};
 use crate::table::text;
 
 /// Whose numbers a row of the ledger is about, where they are the paper's.
-pub const OWN_TABLES: &str = "The paper's own tables";
+const OWN_TABLES: &str = "The paper's own tables";
 /// What the ledger says of a software device.
 pub const SOFTWARE_NOTE: &str = "renders in software: its times say nothing about GPUs, and neither \
     do its verdicts.";
@@ -20,7 +21,7 @@ pub const SOFTWARE_NOTE: &str = "renders in software: its times say nothing abou
 /// The claims and what became of them.
 #[derive(Debug)]
 pub struct Ledger {
-    /// In the order of the claims file.
+    /// In the order of the paper's file.
     pub entries: Vec<Entry>,
     /// The measured devices that render in software.
     pub software: Vec<String>,
@@ -56,8 +57,8 @@ struct Row<'a> {
 }
 
 impl Ledger {
-    pub(super) fn new(sheets: &[Sheet], groups: &[Group<'_>]) -> Result<Self> {
-        let entry = |claim: Claim| {
+    pub(super) fn new(paper: &Publication, sheets: &[Sheet], groups: &[Group<'_>]) -> Result<Self> {
+        let entry = |claim: &Claim| {
             let find = |source| {
                 let found = claim.check.find(&Evidence { sheets, source });
                 found.with_context(|| format!("cannot check the claim {}", claim.id))
@@ -71,12 +72,12 @@ impl Ledger {
             Ok(Entry {
                 paper,
                 devices,
-                claim,
+                claim: claim.clone(),
             })
         };
         let software = groups.iter().filter(|group| group.software);
         Ok(Self {
-            entries: claims()?.into_iter().map(entry).collect::<Result<_>>()?,
+            entries: paper.claims.iter().map(entry).collect::<Result<_>>()?,
             software: software.map(|group| group.label.clone()).collect(),
         })
     }
@@ -125,44 +126,59 @@ impl Ledger {
         }
     }
 
-    /// The ledger as Markdown.
+    /// The ledger as a Markdown document.
     pub fn markdown(&self) -> String {
-        let head = ["Claim", "Verdict", "Rests on", "Found"].map(str::to_owned);
-        let mut rows = vec![head.to_vec()];
-        for Entry {
-            claim,
-            paper,
-            devices,
-        } in &self.entries
-        {
-            let title = format!("**{}**", escape(&claim.text));
-            let claimed = format!("claimed: {}", escape(&claim.claimed));
-            rows.push(vec![title, String::new(), String::new(), claimed]);
-            let found = [paper.text.as_str(), claim.note.as_str()];
-            let found = found.into_iter().filter(|part| !part.is_empty());
-            let found = found.collect::<Vec<_>>().join(". ");
-            let own = vec![OWN_TABLES.to_owned(), String::new(), rests_on(paper), found];
-            rows.push(own);
-            rows.extend(devices.iter().map(|(device, finding)| {
-                vec![
-                    escape(device),
-                    finding.verdict.word().to_owned(),
-                    rests_on(finding),
-                    escape(&finding.text),
-                ]
+        let software = self.software.iter();
+        let software = software.map(|device| format!("**{}** {SOFTWARE_NOTE}\n\n", escape(device)));
+        let (software, rules) = (software.collect::<String>(), self.rules());
+        let rules = rules.iter().map(|(ids, rule)| format!("- {ids}: {rule}\n"));
+        let (rules, table) = (rules.collect::<String>(), self.table().markdown());
+        format!("# The paper's claims\n\n{software}{table}\n## How verdicts are reached\n\n{rules}")
+    }
+
+    /// The claims as groups of rows, a row a measurer.
+    pub fn table(&self) -> Table {
+        let heads = [
+            ("Device", ""),
+            ("Verdict", ""),
+            ("Rests on", ""),
+            ("Found", "found"),
+        ];
+        let columns = heads.map(|(head, class)| Column::text(head).class(class));
+        let mut table = Table::new("The paper's claims", columns).class("ledger");
+        for entry in &self.entries {
+            let claim = &entry.claim;
+            let wide = maud::html! {
+                (claim.text) span.quiet { " Claimed: " (claim.claimed) ". " code { (claim.id) } }
+            };
+            let claimed = format!("claimed: {}", claim.claimed);
+            let plain = [
+                Cell::strong(&claim.text),
+                "".into(),
+                "".into(),
+                claimed.into(),
+            ];
+            table.begin(Cell::drawn(wide), plain.to_vec());
+            let found = Cell::from(entry.paper.text.as_str());
+            let found = if claim.note.is_empty() {
+                found
+            } else {
+                found.small(&claim.note)
+            };
+            let rests_on = entry.paper.rests_on().into();
+            table.push([OWN_TABLES.into(), "".into(), rests_on, found]);
+            table = table.extend(entry.devices.iter().map(|(device, finding)| {
+                let verdict = Cell::from(finding.verdict.word()).class(match finding.verdict {
+                    Verdict::Reproduced => "verdict held",
+                    Verdict::TrendOnly => "verdict trend",
+                    Verdict::NotReproduced => "verdict broken",
+                    Verdict::NotMeasured => "verdict quiet",
+                });
+                let (rests_on, found) = (finding.rests_on().into(), finding.text.as_str().into());
+                [device.as_str().into(), verdict, rests_on, found]
             }));
         }
-        let software = self.software.iter();
-        let software: String = software
-            .map(|device| format!("**{}** {SOFTWARE_NOTE}\n\n", escape(device)))
-            .collect();
-        let rules: String = self
-            .rules()
-            .iter()
-            .map(|(ids, rule)| format!("- {ids}: {rule}\n"))
-            .collect();
-        let table = align(&rows, &[0, 1, 2, 3]);
-        format!("# The paper's claims\n\n{software}{table}\n## How verdicts are reached\n\n{rules}")
+        table
     }
 
     /// Each rule with the claims that are judged by it.
@@ -176,22 +192,5 @@ impl Ledger {
             }
         }
         rules
-    }
-}
-
-/// How much a finding rests on, and how much of that is doubtful.
-pub fn rests_on(finding: &Finding) -> String {
-    let Finding {
-        pairs,
-        pairs_of,
-        wrong_masks,
-        ..
-    } = finding;
-    if finding.verdict == Verdict::NotMeasured && *pairs == 0 {
-        return format!("0 of {pairs_of}");
-    }
-    match wrong_masks {
-        0 => format!("{pairs} of {pairs_of}"),
-        wrong => format!("{pairs} of {pairs_of}, {wrong} with a wrong mask"),
     }
 }

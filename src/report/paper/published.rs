@@ -1,104 +1,207 @@
-//! The paper's own numbers, from the files in `results/published` that come with the program.
+//! Published papers as data: a file a paper in `src/report/published/`, its numbers in `results/published/`.
+//!
+//! A table has **series** (what is compared: methods, or one method's ways to be deterministic) and **points** (where:
+//! numbers of triangles, numbers of objects, scenes). Which of the two are its rows is a matter of layout.
 
-use anyhow::{Context as _, Result, bail};
+use std::collections::BTreeMap;
+use std::sync::OnceLock;
+
+use anyhow::{Context as _, Result};
+use include_dir::{Dir, include_dir};
 use serde::Deserialize;
 
-use super::sheet::{Cell, Column, Mask, Sheet, Source};
-use super::spec::{Place, Point, SPECS, Spec};
+use super::claims::Claim;
+use super::series::{At, Series};
+use crate::record::Summary;
 
-/// A row of any of the published tables; each has the columns that it needs.
+static PAPERS: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/src/report/published");
+static NUMBERS: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/results/published");
+
+/// A paper: its tables, figures and claims.
 #[derive(Debug, Deserialize)]
-struct Row {
-    device: String,
+#[serde(deny_unknown_fields)]
+pub struct Publication {
+    /// Authors and year in few words.
+    pub short: String,
+    /// The authors.
+    pub authors: String,
+    /// The title.
+    pub title: String,
+    /// Year of publication.
+    pub year: u16,
+    /// What its tables are of.
+    pub quantity: Quantity,
+    /// How the names of its files begin in a report.
+    pub prefix: String,
+    /// The device measured, where its numbers do not name one.
     #[serde(default)]
-    stage: String,
+    pub device: String,
+    /// Its tables.
+    pub tables: Vec<Spec>,
+    /// Its scenes, by id.
     #[serde(default)]
-    determinism: String,
+    pub places: BTreeMap<String, Place>,
+    /// What it compares, by id.
+    pub series: BTreeMap<String, Series>,
+    /// What it claims.
     #[serde(default)]
-    method: String,
-    triangles: Option<u64>,
-    objects: Option<u64>,
-    scene: Option<Place>,
-    fps: f64,
+    pub claims: Vec<Claim>,
 }
 
-impl Row {
-    fn series_id(&self) -> String {
-        if self.method.is_empty() {
-            format!("{}_{}", self.stage, self.determinism)
-        } else {
-            self.method.clone()
-        }
-    }
-
-    fn point(&self) -> Result<Point> {
-        match (self.triangles, self.objects, self.scene) {
-            (Some(triangles), None, None) => Ok(Point::Triangles(triangles)),
-            (None, Some(objects), None) => Ok(Point::Objects(objects)),
-            (None, None, Some(place)) => Ok(Point::Scene(place)),
-            _ => bail!("a row must have triangles, or objects, or a scene"),
-        }
-    }
+/// What a table's values are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Quantity {
+    /// Frames per second: more is better.
+    Fps,
+    /// Time of a frame.
+    FrameMs,
+    /// Time that shadows take of a frame.
+    ShadowMs,
 }
 
-/// The four tables with the devices of the paper in them.
+/// A table of the paper, and the figure that draws it.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Spec {
+    /// The table's number in the paper.
+    pub number: u8,
+    /// The number of the figure with the same values.
+    pub figure: u8,
+    /// What the table shows.
+    pub title: String,
+    /// What its points are, as an axis is titled.
+    pub points: String,
+    /// The file of its numbers.
+    pub numbers: String,
+    /// The columns of the numbers that, joined by `_`, are the id of a series.
+    pub series_columns: Vec<String>,
+    /// The columns of the numbers that, joined by `_`, are the id of a place; or the one that is a number.
+    pub point_columns: Vec<String>,
+    /// What is compared, in the paper's order.
+    pub series: Vec<String>,
+    /// Whether the series are the rows; else the points are.
+    #[serde(default)]
+    pub series_are_rows: bool,
+    /// Whether the table is about draw calls, so that they and the time of recording are shown.
+    #[serde(default)]
+    pub shows_recording: bool,
+    /// Where it is measured here, but for what its points say.
+    #[serde(default)]
+    pub at: At,
+}
+
+/// A scene of the paper.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Place {
+    /// Its name for people.
+    pub name: String,
+    /// Its name in a sentence; empty where that is the same.
+    #[serde(default)]
+    pub short: String,
+    /// Where it is measured here.
+    pub at: At,
+}
+
+/// The papers that come with the program.
 ///
 /// # Errors
-/// Where a published file does not fit the tables; the tests hold that none does.
-pub(super) fn sheets() -> Result<Vec<Sheet>> {
-    SPECS
-        .iter()
-        .map(|spec| {
-            sheet(spec).with_context(|| {
-                let number = spec.number;
-                format!("results/published/milet2014_table{number}.csv is damaged")
-            })
-        })
-        .collect()
+/// Where a file is damaged; the tests hold that none is.
+pub fn papers() -> Result<&'static [Publication]> {
+    static ALL: OnceLock<Vec<Publication>> = OnceLock::new();
+    if let Some(papers) = ALL.get() {
+        return Ok(papers);
+    }
+    let mut papers = Vec::new();
+    for file in PAPERS.files() {
+        let damaged = || format!("{} is damaged", file.path().display());
+        let text = file.contents_utf8().with_context(damaged)?;
+        papers.push(Publication::parse(text).with_context(damaged)?);
+    }
+    Ok(ALL.get_or_init(|| papers))
 }
 
-fn sheet(spec: &'static Spec) -> Result<Sheet> {
-    let rows: Vec<Row> = csv::Reader::from_reader(spec.published.as_bytes())
-        .deserialize()
-        .collect::<Result<_, _>>()?;
-    let mut points: Vec<Point> = Vec::new();
-    for row in &rows {
-        let point = row.point()?;
-        if !points.contains(&point) {
-            points.push(point);
+/// The text of a file in `results/published/`.
+pub(super) fn numbers(file: &str) -> Result<&'static str> {
+    let found = NUMBERS.get_file(file).and_then(|file| file.contents_utf8());
+    found.with_context(|| format!("results/published/{file} is missing"))
+}
+
+impl Publication {
+    /// A paper from the text of its file.
+    pub(super) fn parse(text: &str) -> Result<Self> {
+        let paper: Self = toml::from_str(text)?;
+        for table in &paper.tables {
+            for id in &table.series {
+                let known = paper.series.contains_key(id);
+                anyhow::ensure!(
+                    known,
+                    "table {} names the series {id}, which is none",
+                    table.number
+                );
+            }
+        }
+        Ok(paper)
+    }
+
+    /// What a table compares.
+    pub fn series_of<'a>(&'a self, spec: &'a Spec) -> impl Iterator<Item = &'a Series> {
+        spec.series.iter().map(|id| &self.series[id])
+    }
+
+    /// The name of a table's files, without extension.
+    pub fn table_name(&self, spec: &Spec) -> String {
+        format!("{}table{}", self.prefix, spec.number)
+    }
+
+    /// The name of a figure's files, without extension.
+    pub fn figure_name(&self, spec: &Spec) -> String {
+        format!("{}figure{}", self.prefix, spec.figure)
+    }
+}
+
+impl Quantity {
+    /// The column of the published files and of `summary.csv` without its statistic.
+    pub fn column(self) -> &'static str {
+        match self {
+            Self::Fps => "fps",
+            Self::FrameMs => "frame_ms",
+            Self::ShadowMs => "shadow_ms",
         }
     }
-    let mut columns: Vec<Column> = Vec::new();
-    for row in &rows {
-        let index = columns.iter().position(|known| known.device == row.device);
-        let index = index.unwrap_or_else(|| {
-            columns.push(Column {
-                device: row.device.clone(),
-                source: Source::Paper,
-                cells: vec![vec![None; points.len()]; spec.series.len()],
-                variants: vec![String::new(); spec.series.len()],
-                runs: Vec::new(),
-            });
-            columns.len() - 1
-        });
-        let id = row.series_id();
-        let series = spec.series.iter().position(|series| series.id == id);
-        let series = series.with_context(|| format!("unknown: {id}"))?;
-        let here = row.point()?;
-        let cells = points.iter().zip(&mut columns[index].cells[series]);
-        for (_, cell) in cells.filter(|(point, _)| **point == here) {
-            *cell = Some(Cell {
-                fps: row.fps,
-                mask: Mask::Published,
-                record_ms: None,
-                draw_calls: None,
-                run: 0,
-            });
+
+    /// Its name for people.
+    pub fn title(self) -> &'static str {
+        match self {
+            Self::Fps => "Frames per second",
+            Self::FrameMs => "Frame time, ms",
+            Self::ShadowMs => "Shadow time, ms",
         }
     }
-    Ok(Sheet {
-        spec,
-        points,
-        columns,
-    })
+
+    /// Which end is better.
+    pub fn best(self) -> &'static str {
+        match self {
+            Self::Fps => "highest",
+            Self::FrameMs | Self::ShadowMs => "lowest",
+        }
+    }
+
+    /// A value as a speed: of two, the faster one has the higher speed.
+    pub fn speed(self, value: f64) -> f64 {
+        match self {
+            Self::Fps => value,
+            Self::FrameMs | Self::ShadowMs => 1.0 / value,
+        }
+    }
+
+    /// The value of a measured row.
+    pub(super) fn of(self, row: &Summary) -> Option<f64> {
+        match self {
+            Self::Fps => row.fps,
+            Self::FrameMs => row.frame_ms_median,
+            Self::ShadowMs => row.shadow_ms_median,
+        }
+    }
 }

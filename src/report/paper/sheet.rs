@@ -1,17 +1,37 @@
-//! A table of the paper, filled in: published devices and measured ones side by side.
+//! A table of a paper, filled in: published devices and measured ones side by side.
 
-use super::spec::{Point, Spec};
-use crate::report::format::{count, ms, paper_fps};
+use super::published::{Publication, Spec};
+use super::series::At;
+use super::value::{Mask, Value};
+use crate::report::format::{count, ms};
+use crate::variant::Variant;
 
 /// A table with a group of columns for each device.
 #[derive(Debug, Clone)]
 pub struct Sheet {
+    /// Whose table it is.
+    pub paper: &'static Publication,
     /// Which table it is.
     pub spec: &'static Spec,
     /// Where its series are measured.
     pub points: Vec<Point>,
     /// The devices: those of the paper first.
     pub columns: Vec<Column>,
+}
+
+/// Where series are measured.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Point {
+    /// Its id in the published numbers.
+    pub id: String,
+    /// Its name for people.
+    pub name: String,
+    /// Its name in a sentence.
+    pub short: String,
+    /// The place on a figure's axis, where it is a number.
+    pub number: Option<u64>,
+    /// Which cells of a run are measured here.
+    pub at: At,
 }
 
 /// What one device has in a table: its group of columns.
@@ -22,10 +42,10 @@ pub struct Column {
     /// Who measured it.
     pub source: Source,
     /// By series, then by point; `None` where nothing was measured.
-    pub cells: Vec<Vec<Option<Cell>>>,
+    pub values: Vec<Vec<Option<Value>>>,
     /// By series: the variant measured; empty where it is the default.
-    pub variants: Vec<String>,
-    /// The run directories that its cells come from; none for the paper.
+    pub variants: Vec<Variant>,
+    /// The run directories that its values come from; none for the paper.
     pub runs: Vec<String>,
 }
 
@@ -38,133 +58,50 @@ pub enum Source {
     Measured(usize),
 }
 
-/// One value.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Cell {
-    /// Frames per second.
-    pub fps: f64,
-    /// What is known about what was drawn.
-    pub mask: Mask,
-    /// Median time for recording a frame on the processor.
-    pub record_ms: Option<f64>,
-    /// Draw calls of a frame.
-    pub draw_calls: Option<u32>,
-    /// Place of its run in [`Column::runs`].
-    pub run: usize,
-}
-
-/// What is known about the shadow mask behind a value.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Mask {
-    /// The paper says nothing of it.
-    Published,
-    /// It agrees with the reference but at most at the true shadow boundary.
-    Right,
-    /// It has artifacts.
-    Wrong,
-    /// It was not compared with the reference.
-    Unverified,
-    /// The run was cut off in this cell: its value rests on part of the flight.
-    CutShort,
-}
-
-impl Mask {
-    /// What is written behind a value.
-    pub fn mark(self) -> &'static str {
-        match self {
-            Self::Published | Self::Right => "",
-            Self::Wrong => "†",
-            Self::Unverified => "‡",
-            Self::CutShort => "§",
-        }
-    }
-
-    /// What the mark means.
-    pub fn note(self) -> &'static str {
-        match self {
-            Self::Published | Self::Right => "",
-            Self::Wrong => {
-                "the shadow mask was wrong farther than one pixel from the true shadow boundary; \
-                 never bold"
-            }
-            Self::Unverified => "the shadow mask was not compared with the reference; never bold",
-            Self::CutShort => {
-                "the run was cut off in this cell, the value rests on part of the flight; never \
-                 bold"
-            }
-        }
-    }
-
-    /// The word in the CSV files.
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Published => "",
-            Self::Right => "right",
-            Self::Wrong => "wrong",
-            Self::Unverified => "unverified",
-            Self::CutShort => "cut_short",
-        }
-    }
-
-    /// Whether a value may be called the best: being fast and wrong is no merit.
-    fn may_win(self) -> bool {
-        matches!(self, Self::Published | Self::Right)
-    }
-}
-
-impl Cell {
-    /// The value as a table has it: the paper's own digit for digit.
-    pub fn text(&self) -> String {
-        if self.mask == Mask::Published {
-            self.fps.to_string()
-        } else {
-            paper_fps(self.fps)
-        }
-    }
-
-    /// Time of recording and draw calls, where they are known.
-    fn recording(&self) -> Vec<String> {
-        let record_ms = self
-            .record_ms
-            .map(|record_ms| format!("{} ms", ms(record_ms)));
-        let draw_calls = self
-            .draw_calls
-            .map(|draws| format!("{} draws", count(draws.into())));
-        record_ms.into_iter().chain(draw_calls).collect()
-    }
-}
-
 impl Column {
-    /// The cell of a series at a point.
-    pub fn cell(&self, series: usize, point: usize) -> Option<&Cell> {
-        self.cells.get(series)?.get(point)?.as_ref()
+    /// A column in which nothing was measured yet.
+    pub(super) fn empty(device: &str, source: Source, spec: &Spec, points: usize) -> Self {
+        Self {
+            device: device.to_owned(),
+            source,
+            values: vec![vec![None; points]; spec.series.len()],
+            variants: vec![Variant::default(); spec.series.len()],
+            runs: Vec::new(),
+        }
     }
 
-    /// The run directory that a cell comes from; empty for the paper.
-    pub fn run_of(&self, cell: &Cell) -> &str {
-        self.runs.get(cell.run).map_or("", String::as_str)
+    /// The value of a series at a point.
+    pub fn value(&self, series: usize, point: usize) -> Option<&Value> {
+        self.values.get(series)?.get(point)?.as_ref()
     }
 
-    /// Adds the cells of another run of the same device; `false` where they cannot stand together,
-    /// because both runs have a cell, or have a series in different variants.
-    pub(super) fn join(&mut self, other: &Self) -> bool {
-        let both =
-            |(own, others): (&Option<Cell>, &Option<Cell>)| own.is_some() && others.is_some();
-        let clash = (0..self.cells.len()).any(|series| {
-            let (own, others) = (&self.cells[series], &other.cells[series]);
-            let measured = |cells: &[Option<Cell>]| cells.iter().any(Option::is_some);
+    /// All values.
+    pub fn all(&self) -> impl Iterator<Item = &Value> {
+        self.values.iter().flatten().flatten()
+    }
+
+    /// Adds the values of another run of the same device, unless they cannot stand together, because both runs have a
+    /// cell, or have a series in different variants.
+    pub(super) fn join(&mut self, other: &Self) {
+        let clash = (0..self.values.len()).any(|series| {
+            let (own, others) = (&self.values[series], &other.values[series]);
+            let has = |values: &[Option<Value>]| values.iter().any(Option::is_some);
+            let both = own
+                .iter()
+                .zip(others)
+                .any(|(own, other)| own.is_some() && other.is_some());
             let variants = self.variants[series] != other.variants[series];
-            own.iter().zip(others).any(both) || (measured(own) && measured(others) && variants)
+            both || (has(own) && has(others) && variants)
         });
         if clash {
-            return false;
+            return;
         }
         let shift = self.runs.len();
-        for (series, others) in other.cells.iter().enumerate() {
-            for (own, cell) in self.cells[series].iter_mut().zip(others) {
-                let moved = cell.map(|cell| Cell {
-                    run: cell.run + shift,
-                    ..cell
+        for (series, others) in other.values.iter().enumerate() {
+            for (own, other) in self.values[series].iter_mut().zip(others) {
+                let moved = other.map(|value| Value {
+                    run: value.run + shift,
+                    ..value
                 });
                 *own = own.or(moved);
             }
@@ -173,32 +110,11 @@ impl Column {
             }
         }
         self.runs.extend_from_slice(&other.runs);
-        true
     }
 
     /// Whether the paper's authors measured it.
     pub fn is_published(&self) -> bool {
         self.source == Source::Paper
-    }
-
-    /// How many cells it has.
-    pub fn count(&self) -> usize {
-        self.cells.iter().flatten().flatten().count()
-    }
-
-    /// Whether this is the highest value of the device at the point, among those whose mask is
-    /// right. Equal values are all best; a value without a rival is not.
-    pub fn is_best(&self, series: usize, point: usize) -> bool {
-        let here = |series| self.cell(series, point);
-        let rivals = (0..self.cells.len()).filter_map(here);
-        if rivals.clone().count() < 2 {
-            return false;
-        }
-        let best = rivals
-            .filter(|cell| cell.mask.may_win())
-            .map(|cell| cell.fps)
-            .max_by(f64::total_cmp);
-        here(series).is_some_and(|cell| cell.mask.may_win() && Some(cell.fps) == best)
     }
 }
 
@@ -208,13 +124,31 @@ impl Sheet {
         format!("Table {}: {}", self.spec.number, self.spec.title)
     }
 
+    /// Whether this is the best value of the device at the point, among those whose mask is right. Equal values are
+    /// all best; a value without a rival is not.
+    pub(super) fn is_best(&self, column: &Column, series: usize, point: usize) -> bool {
+        let speed = |value: &Value| self.paper.quantity.speed(value.value);
+        let rivals = (0..column.values.len()).filter_map(|series| column.value(series, point));
+        let best = rivals.clone().filter(|value| value.mask.may_win());
+        let best = best.map(speed).max_by(f64::total_cmp);
+        let own = column
+            .value(series, point)
+            .filter(|value| value.mask.may_win());
+        rivals.count() > 1 && own.is_some_and(|value| Some(speed(value)) == best)
+    }
+
     /// What stands beside a value: in a table about draw calls, time of recording and draw calls.
-    pub fn beside(&self, cell: &Cell) -> Vec<String> {
-        if self.spec.shows_recording {
-            cell.recording()
-        } else {
-            Vec::new()
+    pub(super) fn beside(&self, value: &Value) -> Vec<String> {
+        if !self.spec.shows_recording {
+            return Vec::new();
         }
+        let record_ms = value
+            .record_ms
+            .map(|record_ms| format!("{} ms", ms(record_ms)));
+        let draws = value
+            .draw_calls
+            .map(|draws| format!("{} draws", count(draws.into())));
+        record_ms.into_iter().chain(draws).collect()
     }
 
     /// Whether anything was measured for it here.
@@ -224,48 +158,57 @@ impl Sheet {
 
     /// What must be known to read it: marks, layout, variants.
     pub fn notes(&self) -> Vec<String> {
-        let spec = self.spec;
-        let within = if spec.series_are_rows {
+        let within = if self.spec.series_are_rows {
             "in each column"
         } else {
             "in each row of a device"
         };
+        let quantity = self.paper.quantity;
         let mut notes = vec![format!(
-            "Frames per second. Bold: the highest {within}, of those whose mask was right; the \
-             paper says nothing of its masks. –: not measured."
+            "{}. Bold: the {} {within}, of those whose mask was right; the paper says nothing of its masks. –: \
+             not measured.",
+            quantity.title(),
+            quantity.best()
         )];
-        let cells = || self.columns.iter().flat_map(|c| c.cells.iter().flatten());
+        let values = || self.columns.iter().flat_map(Column::all);
         for mask in [Mask::Wrong, Mask::Unverified, Mask::CutShort] {
-            if cells().flatten().any(|cell| cell.mask == mask) {
-                notes.push(format!("{}: {}.", mask.mark(), mask.note()));
+            if values().any(|value| value.mask == mask) {
+                let (mark, meaning) = mask.note();
+                notes.push(format!("{mark}: {meaning}."));
             }
         }
-        if cells().flatten().any(|cell| !self.beside(cell).is_empty()) {
+        if values().any(|value| !self.beside(value).is_empty()) {
             notes.push(
                 "Beside each measured value: median time for recording a frame on the processor, \
                  and draw calls."
                     .to_owned(),
             );
         }
-        if spec.series.iter().any(|series| !series.in_paper) {
+        if self
+            .paper
+            .series_of(self.spec)
+            .any(|series| !series.in_paper)
+        {
             notes.push("*: not in the paper.".to_owned());
         }
-        for column in &self.columns {
-            if let runs @ 2.. = column.runs.len() {
-                notes.push(format!(
-                    "{}: from {runs} runs, which share no cell.",
-                    column.device
-                ));
-            }
-            let variants = spec.series.iter().zip(&column.variants);
-            let named: Vec<String> = variants
-                .map(|(series, variant)| (series.name, series.besides(variant)))
-                .filter(|(_, besides)| !besides.is_empty())
-                .map(|(name, besides)| format!("{name} with {besides}"))
-                .collect();
-            if !named.is_empty() {
-                notes.push(format!("{}: {}.", column.device, named.join("; ")));
-            }
+        notes.extend(self.columns.iter().flat_map(|column| self.notes_of(column)));
+        notes
+    }
+
+    fn notes_of(&self, column: &Column) -> Vec<String> {
+        let mut notes = Vec::new();
+        let device = &column.device;
+        if let runs @ 2.. = column.runs.len() {
+            notes.push(format!("{device}: from {runs} runs, which share no cell."));
+        }
+        let variants = self.paper.series_of(self.spec).zip(&column.variants);
+        let named = variants.filter_map(|(series, variant)| {
+            let besides = series.besides(variant);
+            (!besides.is_empty()).then(|| format!("{} with {besides}", series.name))
+        });
+        let named: Vec<String> = named.collect();
+        if !named.is_empty() {
+            notes.push(format!("{device}: {}.", named.join("; ")));
         }
         notes
     }

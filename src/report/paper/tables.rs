@@ -1,53 +1,36 @@
-//! The paper's tables as CSV, a row a cell, and as Markdown, laid out as in the paper.
+//! A paper's tables as CSV, a row a cell, and laid out as in the paper.
 
 use anyhow::Result;
-use serde::Serialize;
 
 use super::sheet::{Column, Sheet};
-use super::spec::{Place, Point};
-use crate::report::markdown::{align, escape};
+use super::value::Value;
+use crate::report::table::{self, Cell, Table, escape};
 use crate::table::text;
 
-/// A row of a table's CSV; `device` to `fps` are the columns of the published files.
-#[derive(Debug, Serialize)]
-struct Row<'a> {
-    source: &'static str,
-    device: &'a str,
-    stage: &'a str,
-    determinism: &'a str,
-    method: &'a str,
-    triangles: Option<u64>,
-    objects: Option<u64>,
-    scene: Option<Place>,
-    fps: Option<f64>,
-    best: bool,
-    mask: &'static str,
-    record_ms_median: Option<f64>,
-    draw_calls: Option<u32>,
-    svbench_method: &'a str,
-    variant: &'a str,
-    run: &'a str,
-}
-
-/// A place in the layout: which series, which point.
-#[derive(Debug, Clone, Copy)]
-pub struct Address {
-    /// The series.
-    pub series: usize,
-    /// The point.
-    pub point: usize,
-}
-
 impl Sheet {
-    /// The table as CSV: a row for each cell of each device, measured or not.
+    /// The table as CSV: a row for each cell of each device, measured or not. The columns from `device` on are those of
+    /// the published files.
     pub fn csv(&self) -> Result<String> {
-        let mut rows = Vec::new();
+        let tables = self.paper.tables.iter();
+        let mut keys: Vec<&str> = Vec::new();
+        let series = tables.clone().flat_map(|table| &table.series_columns);
+        for key in series.chain(tables.flat_map(|table| &table.point_columns)) {
+            if !keys.contains(&&**key) {
+                keys.push(key);
+            }
+        }
+        let mut head = vec!["source", "device"];
+        head.extend(&keys);
+        head.push(self.paper.quantity.column());
+        head.extend(["best", "mask", "record_ms_median", "draw_calls"]);
+        head.extend(["svbench_method", "variant", "run"]);
+        let mut rows: Vec<Vec<String>> = vec![head.into_iter().map(str::to_owned).collect()];
         for column in &self.columns {
             for point in 0..self.points.len() {
-                for series in 0..self.spec.series.len() {
+                for (series, what) in self.paper.series_of(self.spec).enumerate() {
                     // What the paper lacks is no cell that it left empty.
-                    if self.spec.series[series].in_paper || !column.is_published() {
-                        rows.push(self.row(column, Address { series, point }));
+                    if what.in_paper || !column.is_published() {
+                        rows.push(self.csv_row(&keys, column, series, point));
                     }
                 }
             }
@@ -55,133 +38,125 @@ impl Sheet {
         Ok(String::from_utf8(text(&rows)?)?)
     }
 
-    fn row<'a>(&'a self, column: &'a Column, Address { series, point }: Address) -> Row<'a> {
-        let cell = column.cell(series, point);
-        let measured = !column.is_published();
-        let (triangles, objects, scene) = match self.points[point] {
-            Point::Triangles(triangles) => (Some(triangles), None, None),
-            Point::Objects(objects) => (None, Some(objects), None),
-            Point::Scene(place) => (None, None, Some(place)),
+    fn csv_row(&self, keys: &[&str], column: &Column, series: usize, point: usize) -> Vec<String> {
+        let value = column.value(series, point);
+        let of = |of: &dyn Fn(&Value) -> Option<String>| value.and_then(of).unwrap_or_default();
+        let what = &self.paper.series[&self.spec.series[series]];
+        let is_measured = !column.is_published();
+        let source = if is_measured { "measured" } else { "paper" };
+        let method = if is_measured {
+            what.method.as_str()
+        } else {
+            ""
         };
-        let what = &self.spec.series[series];
-        Row {
-            source: if measured { "measured" } else { "paper" },
-            device: &column.device,
-            stage: what.stage,
-            determinism: what.determinism,
-            method: if what.stage.is_empty() { what.id } else { "" },
-            triangles,
-            objects,
-            scene,
-            fps: cell.map(|cell| cell.fps),
-            best: column.is_best(series, point),
-            mask: cell.map_or("", |cell| cell.mask.word()),
-            record_ms_median: cell.and_then(|cell| cell.record_ms),
-            draw_calls: cell.and_then(|cell| cell.draw_calls),
-            svbench_method: if measured { what.method } else { "" },
-            variant: &column.variants[series],
-            run: cell.map_or("", |cell| column.run_of(cell)),
-        }
+        let mut row = vec![source.to_owned(), column.device.clone()];
+        row.extend(
+            keys.iter()
+                .map(|key| self.key(key, series, point).to_owned()),
+        );
+        row.extend([
+            of(&|value| Some(format!("{:?}", value.value))),
+            self.is_best(column, series, point).to_string(),
+            of(&|value| Some(value.mask.word().to_owned())),
+            of(&|value| value.record_ms.map(|record_ms| format!("{record_ms:?}"))),
+            of(&|value| value.draw_calls.map(|draws| draws.to_string())),
+            method.to_owned(),
+            column.variants[series].to_string(),
+            of(&|value| column.runs.get(value.run).cloned()),
+        ]);
+        row
     }
 
-    /// The table as Markdown.
+    /// What the published file has in a column for a series and a point.
+    fn key(&self, column: &str, series: usize, point: usize) -> &str {
+        // Only the last column of an id may have a `_` in it.
+        fn part<'a>(columns: &[String], id: &'a str, column: &str) -> Option<&'a str> {
+            let place = columns.iter().position(|known| known == column)?;
+            id.splitn(columns.len(), '_').nth(place)
+        }
+        let (series, point) = (&self.spec.series[series], &self.points[point].id);
+        let series = part(&self.spec.series_columns, series, column);
+        let point = || part(&self.spec.point_columns, point, column);
+        series.or_else(point).unwrap_or_default()
+    }
+
+    /// The table as a Markdown document.
     pub fn markdown(&self) -> String {
-        let corner = if self.spec.series_are_rows {
-            "Method"
+        let notes = self.notes();
+        let notes = notes.iter().map(|note| format!("- {}\n", escape(note)));
+        let notes: String = notes.collect();
+        format!("# {}\n\n{}\n{notes}", self.title(), self.table().markdown())
+    }
+
+    /// The table, laid out as in the paper.
+    pub fn table(&self) -> Table {
+        let spec = self.spec;
+        let series = self.paper.series_of(spec).map(|series| {
+            let star = if series.in_paper { "" } else { " *" };
+            format!("{}{star}", series.name)
+        });
+        let series: Vec<String> = series.collect();
+        let points: Vec<String> = self.points.iter().map(|point| point.name.clone()).collect();
+        let (down, across, corner) = if spec.series_are_rows {
+            (series, points, "Method")
         } else {
-            self.spec.points
+            (points, series, spec.points.as_str())
         };
-        let mut head = vec![corner.to_owned()];
+        let mut columns = vec![table::Column::heads(corner, "text")];
         for column in &self.columns {
-            let names = (0..self.across()).map(|index| self.across_name(index));
-            head.extend(names.map(|name| format!("{}: {name}", escape(&column.device))));
+            let by = if column.is_published() {
+                "published"
+            } else {
+                "measured"
+            };
+            let over = Cell::from(column.device.as_str())
+                .small(by)
+                .class(class(column, false));
+            for (index, name) in across.iter().enumerate() {
+                let head = Cell::from(name.as_str()).class(class(column, index == 0));
+                let plain = format!("{}: {name}", column.device);
+                let of = table::Column::number(head).over(over.clone()).plain(plain);
+                columns.push(of.class(class(column, index == 0)));
+            }
         }
-        let mut rows = vec![head];
-        for down in 0..self.down() {
-            let mut row = vec![self.down_name(down)];
+        let rows = down.into_iter().enumerate().map(|(down, name)| {
+            let mut cells = vec![Cell::from(name)];
             for column in &self.columns {
-                let cells = (0..self.across()).map(|across| self.address(down, across));
-                row.extend(cells.map(|at| self.cell_text(column, at)));
+                cells.extend((0..across.len()).map(|across| {
+                    let is_row = spec.series_are_rows;
+                    let (series, point) = if is_row {
+                        (down, across)
+                    } else {
+                        (across, down)
+                    };
+                    self.cell(column, series, point)
+                }));
             }
-            rows.push(row);
-        }
-        let notes: String = self
-            .notes()
-            .iter()
-            .map(|note| format!("- {}\n", escape(note)))
-            .collect();
-        format!("# {}\n\n{}\n{notes}", self.title(), align(&rows, &[0]))
+            cells
+        });
+        Table::new(self.title(), columns)
+            .class("paper")
+            .extend(rows)
     }
 
-    /// How many rows the layout has.
-    pub fn down(&self) -> usize {
-        if self.spec.series_are_rows {
-            self.spec.series.len()
-        } else {
-            self.points.len()
-        }
-    }
-
-    /// How many columns a device has in the layout.
-    pub fn across(&self) -> usize {
-        if self.spec.series_are_rows {
-            self.points.len()
-        } else {
-            self.spec.series.len()
-        }
-    }
-
-    /// What stands at a place of the layout.
-    pub fn address(&self, down: usize, across: usize) -> Address {
-        if self.spec.series_are_rows {
-            Address {
-                series: down,
-                point: across,
-            }
-        } else {
-            Address {
-                series: across,
-                point: down,
-            }
-        }
-    }
-
-    /// The head of a row.
-    pub fn down_name(&self, index: usize) -> String {
-        if self.spec.series_are_rows {
-            self.series_name(index)
-        } else {
-            self.points[index].name()
-        }
-    }
-
-    /// The head of a device's column.
-    pub fn across_name(&self, index: usize) -> String {
-        if self.spec.series_are_rows {
-            self.points[index].name()
-        } else {
-            self.series_name(index)
-        }
-    }
-
-    fn series_name(&self, index: usize) -> String {
-        let series = &self.spec.series[index];
-        let star = if series.in_paper { "" } else { " *" };
-        format!("{}{star}", series.name)
-    }
-
-    fn cell_text(&self, column: &Column, Address { series, point }: Address) -> String {
-        let Some(cell) = column.cell(series, point) else {
-            return "–".to_owned();
+    fn cell(&self, column: &Column, series: usize, point: usize) -> Cell {
+        let Some(value) = column.value(series, point) else {
+            return table::DASH.into();
         };
-        let mut text = format!("{}{}", cell.text(), cell.mask.mark());
-        if column.is_best(series, point) {
-            text = format!("**{text}**");
-        }
-        let beside = self.beside(cell);
-        if !beside.is_empty() {
-            text.push_str(&format!(" ({})", beside.join(", ")));
-        }
-        text
+        let cell = if self.is_best(column, series, point) {
+            Cell::strong(value.text())
+        } else {
+            value.text().into()
+        };
+        self.beside(value).into_iter().fold(cell, Cell::small)
+    }
+}
+
+fn class(column: &Column, is_first: bool) -> &'static str {
+    match (column.is_published(), is_first) {
+        (true, true) => "first",
+        (true, false) => "",
+        (false, true) => "first measured",
+        (false, false) => "measured",
     }
 }

@@ -120,9 +120,7 @@ fn point(run: &Run, row: &Summary) -> Option<Point> {
     };
     let wrong_px = (counts.false_lit + counts.false_shadowed) as f64;
     let shadow_ms: Vec<f64> = run.samples_of(row).map(|sample| sample.shadow_ms).collect();
-    let wrong = run
-        .errors_of(row)
-        .map(|e| (e.false_lit + e.false_shadowed) as f64);
+    let wrong = run.frames_of(row).map(|frame| frame.wrong_px() as f64);
     let wrong: Vec<f64> = wrong.collect();
     let contender = run.contender(row);
     let sweep = run.sweep_of(&contender).cloned();

@@ -1,7 +1,12 @@
-//! Axes: from values to places, with ticks at round numbers.
+//! Axes for plotters' charts, which lack what these have: ticks at 1, 2 and 5 on logarithmic scales, and a band for
+//! zero below them.
+
+use std::ops::Range;
+
+use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, ValueFormatter};
 
 /// An axis over a range of values.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub(super) struct Axis {
     pub(super) title: String,
     log: bool,
@@ -60,25 +65,13 @@ impl Axis {
         } else {
             &[1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0]
         };
-        let first = min.log10().floor() as i32;
-        let last = max.log10().floor() as i32 + 1;
-        let all: Vec<f64> = (first..=last)
-            .flat_map(|exponent| mantissas.iter().map(move |m| m * 10_f64.powi(exponent)))
-            .collect();
-        let low = all
-            .iter()
-            .copied()
-            .rfind(|tick| *tick <= min * 1.0001)
-            .unwrap_or(min);
-        let high = all
-            .iter()
-            .copied()
-            .find(|tick| *tick >= max * 1.0001)
-            .unwrap_or(max * 10.0);
-        let ticks = all
-            .into_iter()
-            .filter(|tick| (low..=high).contains(tick))
-            .collect();
+        let exponents = min.log10().floor() as i32..=max.log10().floor() as i32 + 1;
+        let of = |exponent| mantissas.iter().map(move |m| m * 10_f64.powi(exponent));
+        let mut ticks: Vec<f64> = exponents.flat_map(of).collect();
+        let low = ticks.iter().copied().rfind(|tick| *tick <= min * 1.0001);
+        let high = ticks.iter().copied().find(|tick| *tick >= max * 1.0001);
+        let (low, high) = (low.unwrap_or(min), high.unwrap_or(max * 10.0));
+        ticks.retain(|tick| (low..=high).contains(tick));
         Self {
             title: title.to_owned(),
             log: true,
@@ -139,9 +132,40 @@ impl Axis {
         self.zero_band + (1.0 - self.zero_band) * fraction.clamp(0.0, 1.0)
     }
 
-    /// Ticks and what to write at them.
-    pub(super) fn ticks(&self) -> impl Iterator<Item = (f64, String)> {
-        self.ticks.iter().map(|tick| (*tick, label(*tick)))
+    /// An axis of so many groups, which are named otherwise.
+    pub(super) fn of_groups(groups: usize) -> Self {
+        Self {
+            high: groups.max(1) as f64,
+            ..Self::default()
+        }
+    }
+}
+
+impl Ranged for Axis {
+    type FormatOption = NoDefaultFormatting;
+    type ValueType = f64;
+
+    fn map(&self, value: &f64, (from, to): (i32, i32)) -> i32 {
+        from + (f64::from(to - from) * self.fraction(*value)).round() as i32
+    }
+
+    fn key_points<Hint: KeyPointHint>(&self, hint: Hint) -> Vec<f64> {
+        // There are no lines between ticks.
+        if hint.weight().allow_light_points() {
+            Vec::new()
+        } else {
+            self.ticks.clone()
+        }
+    }
+
+    fn range(&self) -> Range<f64> {
+        self.low..self.high
+    }
+}
+
+impl ValueFormatter<f64> for Axis {
+    fn format_ext(&self, value: &f64) -> String {
+        label(*value)
     }
 }
 
@@ -179,7 +203,7 @@ mod tests {
     use super::*;
 
     fn labels(axis: &Axis) -> Vec<String> {
-        axis.ticks().map(|(_, label)| label).collect()
+        axis.ticks.iter().map(|tick| label(*tick)).collect()
     }
 
     #[test]

@@ -1,12 +1,12 @@
 //! Grouped bars: a bar per contender in each group, with a whisker where there is a spread.
 
 use anyhow::Result;
-use plotters::prelude::DrawingBackend;
 
 use super::axis::Axis;
 use super::canvas::{self, CENTER, Canvas, INK, LEFT, MUTED, PAPER, RIGHT, text_width_px};
+use super::frame::{Frame, Room};
 use super::legend::{self, Key};
-use super::lines::Frame;
+
 use crate::report::curve::Contender;
 
 const GROUP_NAME_PX: i32 = 13;
@@ -57,10 +57,7 @@ impl BarChart {
         legend::height_px(self.keys.iter().map(|(_, contender)| contender))
     }
 
-    pub(super) fn paint<DB: DrawingBackend>(&self, canvas: &Canvas<'_, DB>) -> Result<()>
-    where
-        DB::ErrorType: 'static,
-    {
+    pub(super) fn paint(&self, canvas: &Canvas<'_, '_>) -> Result<()> {
         let (width, height) = canvas.size();
         let legend_px = legend::width_px(self.keys.iter().map(|(_, contender)| contender));
         let (left, right) = (84, width - legend_px);
@@ -83,14 +80,12 @@ impl BarChart {
             let longest = names.map(|group| text_width_px(&group.name, GROUP_NAME_PX));
             longest.max().unwrap_or_default().min(UPRIGHT_PX)
         };
-        let frame = Frame {
-            left,
-            right,
+        let room = Room {
             top: 52,
-            bottom: height - name_px - 12,
+            right: legend_px,
+            bottom: name_px + 12,
         };
-
-        frame.paint_y_axis(canvas, &self.y)?;
+        let frame = &Frame::paint(canvas, &Axis::of_groups(self.groups.len()), &self.y, room)?;
         for (index, group) in self.groups.iter().enumerate() {
             let group_left = left + index as i32 * group_px;
             self.paint_group(canvas, frame, group, (group_left, group_px))?;
@@ -102,7 +97,6 @@ impl BarChart {
                 (group_left + group_px / 2, frame.bottom),
             )?;
         }
-        canvas.line(vec![(left, frame.bottom), (right, frame.bottom)], MUTED, 1)?;
         self.paint_bands(canvas, frame, group_px)?;
 
         let keys = self.keys.iter().map(|(key, contender)| (*key, contender));
@@ -111,15 +105,7 @@ impl BarChart {
     }
 
     /// Names the bands at the top of the frame, with a line between them.
-    fn paint_bands<DB: DrawingBackend>(
-        &self,
-        canvas: &Canvas<'_, DB>,
-        frame: Frame,
-        group_px: i32,
-    ) -> Result<()>
-    where
-        DB::ErrorType: 'static,
-    {
+    fn paint_bands(&self, canvas: &Canvas<'_, '_>, frame: &Frame, group_px: i32) -> Result<()> {
         let mut left = frame.left;
         for (name, groups) in &self.bands {
             let right = left + *groups as i32 * group_px;
@@ -133,16 +119,13 @@ impl BarChart {
         Ok(())
     }
 
-    fn paint_group<DB: DrawingBackend>(
+    fn paint_group(
         &self,
-        canvas: &Canvas<'_, DB>,
-        frame: Frame,
+        canvas: &Canvas<'_, '_>,
+        frame: &Frame,
         group: &Group,
         (group_left, group_px): (i32, i32),
-    ) -> Result<()>
-    where
-        DB::ErrorType: 'static,
-    {
+    ) -> Result<()> {
         let bars = group.bars.len().max(1) as i32;
         let pitch = (group_px * 5 / 6 / bars).clamp(2, MAX_BAR_PX);
         let slots = Slots {
@@ -167,21 +150,18 @@ impl BarChart {
         Ok(())
     }
 
-    fn paint_bar<DB: DrawingBackend>(
+    fn paint_bar(
         &self,
-        canvas: &Canvas<'_, DB>,
-        frame: Frame,
+        canvas: &Canvas<'_, '_>,
+        frame: &Frame,
         bar: Bar,
         (index, slots): (usize, Slots),
         hollow: bool,
-    ) -> Result<()>
-    where
-        DB::ErrorType: 'static,
-    {
+    ) -> Result<()> {
         let left = slots.left + index as i32 * slots.pitch;
         let right = left + (slots.pitch - (slots.pitch / 8).max(1)).max(1);
         let middle = (left + right) / 2;
-        let top = frame.y(&self.y, bar.value);
+        let top = frame.place((0.0, bar.value)).1;
         let key = self.keys[index].0;
         canvas.rect([(left, top), (right, frame.bottom)], key.color)?;
         if hollow {
@@ -194,7 +174,7 @@ impl BarChart {
             let marker = key.marker.unwrap_or(index);
             canvas.marker(marker, (middle, frame.bottom - 10), 3, PAPER)?;
         }
-        let end = bar.whisker.map_or(top, |end| frame.y(&self.y, end));
+        let end = bar.whisker.map_or(top, |end| frame.place((0.0, end)).1);
         if bar.whisker.is_some() {
             canvas.line(vec![(middle, top), (middle, end)], INK, 1)?;
             let cap = (slots.pitch / 6).clamp(1, 5);
@@ -217,15 +197,12 @@ fn three_digits(value: f64) -> String {
     }
 }
 
-fn paint_name<DB: DrawingBackend>(
-    canvas: &Canvas<'_, DB>,
+fn paint_name(
+    canvas: &Canvas<'_, '_>,
     name: &str,
     lines: Option<&[String]>,
     (middle, bottom): (i32, i32),
-) -> Result<()>
-where
-    DB::ErrorType: 'static,
-{
+) -> Result<()> {
     let Some(lines) = lines else {
         let chars = UPRIGHT_PX / text_width_px("n", GROUP_NAME_PX);
         let name = canvas::shortened(name, chars as usize);

@@ -4,10 +4,12 @@ use anyhow::Result;
 use plotters::coord::Shift;
 use plotters::element::DashedPathElement;
 use plotters::prelude::{
-    Circle, Color, DrawingArea, DrawingBackend, FontDesc, FontTransform, IntoFont, PathElement,
-    Polygon, RGBColor, Rectangle, ShapeStyle, TextStyle,
+    Circle, Color, DrawingArea, FontTransform, IntoFont, PathElement, Polygon, RGBColor, Rectangle,
+    TextStyle,
 };
 use plotters::style::text_anchor::{HPos, Pos, VPos};
+
+use super::backend::Backend;
 
 /// A place on the canvas in pixels, from the top left.
 pub(super) type Px = (i32, i32);
@@ -66,37 +68,19 @@ pub(super) const CENTER: Pos = Pos {
     v_pos: VPos::Center,
 };
 
-/// A drawing area that is so many pixels large, whatever the resolution behind it.
-pub(super) struct Canvas<'a, DB: DrawingBackend> {
-    area: &'a DrawingArea<DB, Shift>,
-    size_px: (u32, u32),
-    /// Pixels of the area for one of the canvas.
-    scale: i32,
-}
+/// Where a plot is drawn, in pixels of [`super::backend::Backend`].
+pub(super) struct Canvas<'a, 'b>(pub(super) &'a DrawingArea<Backend<'b>, Shift>);
 
-impl<'a, DB: DrawingBackend> Canvas<'a, DB>
-where
-    DB::ErrorType: 'static,
-{
-    pub(super) fn new(area: &'a DrawingArea<DB, Shift>, size_px: (u32, u32)) -> Result<Self> {
-        area.fill(&PAPER)?;
-        let (width, _) = area.dim_in_pixel();
-        let scale = i32::try_from((width / size_px.0).max(1))?;
-        Ok(Self {
-            area,
-            size_px,
-            scale,
-        })
-    }
-
+impl Canvas<'_, '_> {
     /// Width and height in pixels.
     pub(super) fn size(&self) -> Px {
-        (self.size_px.0 as i32, self.size_px.1 as i32)
+        let (width, height) = self.0.dim_in_pixel();
+        (width as i32, height as i32)
     }
 
     /// The plot's title, top left.
     pub(super) fn title(&self, text: &str) -> Result<()> {
-        let chars = self.size_px.0 / 10;
+        let chars = self.size().0 / 10;
         self.text(&shortened(text, chars as usize), (16, 24), 18, INK, LEFT)
     }
 
@@ -104,11 +88,11 @@ where
         &self,
         text: &str,
         at: Px,
-        size_px: i32,
+        size: i32,
         color: RGBColor,
         pos: Pos,
     ) -> Result<()> {
-        self.turned_text(text, at, self.font(size_px), color, pos)
+        Ok(self.0.draw_text(text, &font(size, color).pos(pos), at)?)
     }
 
     /// Text read from bottom to top.
@@ -116,101 +100,53 @@ where
         &self,
         text: &str,
         at: Px,
-        size_px: i32,
+        size: i32,
         color: RGBColor,
         pos: Pos,
     ) -> Result<()> {
-        let font = self.font(size_px).transform(FontTransform::Rotate270);
-        self.turned_text(text, at, font, color, pos)
-    }
-
-    fn turned_text(
-        &self,
-        text: &str,
-        at: Px,
-        font: FontDesc<'_>,
-        color: RGBColor,
-        pos: Pos,
-    ) -> Result<()> {
-        let style = TextStyle::from(font).color(&color).pos(pos);
-        Ok(self.area.draw_text(text, &style, self.scaled(at))?)
+        let style = font(size, color).transform(FontTransform::Rotate270);
+        Ok(self.0.draw_text(text, &style.pos(pos), at)?)
     }
 
     pub(super) fn line(&self, points: Vec<Px>, color: RGBColor, width_px: u32) -> Result<()> {
-        let points: Vec<Px> = points.into_iter().map(|at| self.scaled(at)).collect();
-        let path = PathElement::new(points, self.stroke(color, width_px));
-        Ok(self.area.draw(&path)?)
+        Ok(self
+            .0
+            .draw(&PathElement::new(points, color.stroke_width(width_px)))?)
     }
 
-    /// A line of dashes, `dash_px` long and as far apart.
-    pub(super) fn dashed_line(
-        &self,
-        points: Vec<Px>,
-        color: RGBColor,
-        width_px: u32,
-        dash_px: i32,
-    ) -> Result<()> {
-        let points: Vec<Px> = points.into_iter().map(|at| self.scaled(at)).collect();
-        let dash_px = dash_px * self.scale;
-        let style = self.stroke(color, width_px);
-        let path = DashedPathElement::new(points, dash_px, dash_px, style);
-        Ok(self.area.draw(&path)?)
+    /// A thin line of dashes, `dash_px` long and as far apart.
+    pub(super) fn dashed_line(&self, points: Vec<Px>, color: RGBColor, dash_px: i32) -> Result<()> {
+        let path = DashedPathElement::new(points, dash_px, dash_px, color.stroke_width(1));
+        Ok(self.0.draw(&path)?)
     }
 
     pub(super) fn rect(&self, corners: [Px; 2], fill: RGBColor) -> Result<()> {
-        let corners = corners.map(|at| self.scaled(at));
-        Ok(self.area.draw(&Rectangle::new(corners, fill.filled()))?)
+        Ok(self.0.draw(&Rectangle::new(corners, fill.filled()))?)
     }
 
-    /// The marker of the contender at `index`, `radius_px` about `at`.
-    pub(super) fn marker(
-        &self,
-        index: usize,
-        at: Px,
-        radius_px: i32,
-        fill: RGBColor,
-    ) -> Result<()> {
-        let (x, y) = self.scaled(at);
-        let r = radius_px * self.scale;
+    /// The marker of the contender at `index`, `r` pixels about `(x, y)`.
+    pub(super) fn marker(&self, index: usize, (x, y): Px, r: i32, fill: RGBColor) -> Result<()> {
         // A triangle or a diamond must reach farther to look as large as a circle.
         let far = r + r / 3;
-        let style = fill.filled();
-        let polygon = |points: Vec<Px>| self.area.draw(&Polygon::new(points, style));
+        let polygon = |points: &[Px]| self.0.draw(&Polygon::new(points, fill.filled()));
         match index % MARKERS {
-            0 => self.area.draw(&Circle::new((x, y), r, style))?,
-            1 => polygon(vec![
-                (x - r, y - r),
-                (x + r, y - r),
-                (x + r, y + r),
-                (x - r, y + r),
-            ])?,
-            2 => polygon(vec![(x, y - far), (x + far, y + r), (x - far, y + r)])?,
-            3 => polygon(vec![(x, y - far), (x + far, y), (x, y + far), (x - far, y)])?,
-            4 => polygon(vec![(x, y + far), (x + far, y - r), (x - far, y - r)])?,
+            0 => self.0.draw(&Circle::new((x, y), r, fill.filled()))?,
+            1 => return self.rect([(x - r, y - r), (x + r, y + r)], fill),
+            2 => polygon(&[(x, y - far), (x + far, y + r), (x - far, y + r)])?,
+            3 => polygon(&[(x, y - far), (x + far, y), (x, y + far), (x - far, y)])?,
+            4 => polygon(&[(x, y + far), (x + far, y - r), (x - far, y - r)])?,
             _ => {
-                let stroke = self.stroke(fill, 2);
-                for points in [
-                    [(x - r, y - r), (x + r, y + r)],
-                    [(x - r, y + r), (x + r, y - r)],
-                ] {
-                    self.area.draw(&PathElement::new(points, stroke))?;
-                }
+                self.line(vec![(x - r, y - r), (x + r, y + r)], fill, 2)?;
+                self.line(vec![(x - r, y + r), (x + r, y - r)], fill, 2)?;
             }
         }
         Ok(())
     }
+}
 
-    fn scaled(&self, (x, y): Px) -> Px {
-        (x * self.scale, y * self.scale)
-    }
-
-    fn font(&self, size_px: i32) -> FontDesc<'static> {
-        (FONT, size_px * self.scale).into_font()
-    }
-
-    fn stroke(&self, color: RGBColor, width_px: u32) -> ShapeStyle {
-        color.stroke_width(width_px * self.scale.unsigned_abs())
-    }
+/// The program's own font.
+pub(super) fn font(size_px: i32, color: RGBColor) -> TextStyle<'static> {
+    (FONT, size_px).into_font().color(&color)
 }
 
 /// Width of text in pixels, a little too wide rather than too narrow: an SVG is set in the reader's

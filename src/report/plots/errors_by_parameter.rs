@@ -56,14 +56,17 @@ fn chart(cloud: &Cloud, curves: &Curves, parameter: &str) -> Option<LineChart> {
     let (mut lines, mut keys) = (Vec::new(), Vec::new());
     for (place, curve) in curves.all.iter().enumerate() {
         let on_curve = cloud.points.iter().filter(|point| point.curve == *curve);
-        let mut points: Vec<(f64, &Point)> = on_curve
-            .filter_map(|point| Some((point.sweep.as_ref()?.value, point)))
-            .collect();
+        let valued = on_curve.filter_map(|point| Some((point.sweep.as_ref()?.value, point)));
+        let mut points: Vec<(f64, &Point)> = valued.collect();
         if curve.parameter.as_deref() != Some(parameter) || points.len() < FEWEST {
             continue;
         }
         points.sort_by(|a, b| a.0.total_cmp(&b.0));
         let key = Key::of(place);
+        let dashed = Key {
+            dash_px: Some(DASH_PX),
+            ..key
+        };
         let line = |key: Key, px: fn(&Point) -> f64| Line {
             key,
             contender: curve.name.clone(),
@@ -72,13 +75,7 @@ fn chart(cloud: &Cloud, curves: &Curves, parameter: &str) -> Option<LineChart> {
                 .map(|(value, point)| (*value, px(point)))
                 .collect(),
         };
-        lines.push(line(
-            Key {
-                dash_px: Some(DASH_PX),
-                ..key
-            },
-            artifacts_per_frame,
-        ));
+        lines.push(line(dashed, artifacts_per_frame));
         lines.push(line(key, |point| point.wrong_px));
         keys.push((key, curve.name.clone()));
     }
@@ -87,35 +84,15 @@ fn chart(cloud: &Cloud, curves: &Curves, parameter: &str) -> Option<LineChart> {
         marker: None,
         dash_px,
     };
-    let named = |method: &str, variant: &str| Contender {
-        method: method.to_owned(),
-        variant: variant.to_owned(),
-    };
-    keys.push((black(None), named("wrong pixels", "all")));
-    keys.push((
-        black(Some(DASH_PX)),
-        named("artifacts", "farther than 1 px from the edge"),
-    ));
-    let x: Vec<f64> = lines
-        .iter()
-        .flat_map(|line| &line.points)
-        .map(|p| p.0)
-        .collect();
-    let y: Vec<f64> = lines
-        .iter()
-        .flat_map(|line| &line.points)
-        .map(|p| p.1)
-        .collect();
-    if lines.is_empty() {
-        return None;
-    }
-    Some(LineChart {
+    let artifacts = Contender::new("artifacts", "farther than 1 px from the edge");
+    keys.push((black(None), Contender::new("wrong pixels", "all")));
+    keys.push((black(Some(DASH_PX)), artifacts));
+    let points = lines.iter().flat_map(|line| line.points.iter().copied());
+    let (x, y): (Vec<f64>, Vec<f64>) = points.unzip();
+    let title = "Pixels per verified frame, mean (log scale)";
+    (!lines.is_empty()).then(|| LineChart {
         x: value_axis(parameter, &x),
-        y: Axis::log_with_zero(
-            "Pixels per verified frame, mean (log scale)",
-            y.into_iter(),
-            ZERO_BAND,
-        ),
+        y: Axis::log_with_zero(title, y.into_iter(), ZERO_BAND),
         lines,
         keys,
     })

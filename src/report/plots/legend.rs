@@ -1,7 +1,7 @@
 //! The legend: every contender's marker, colour and name to the right of the data.
 
 use anyhow::Result;
-use plotters::prelude::{DrawingBackend, RGBColor};
+use plotters::prelude::RGBColor;
 
 use super::canvas::{self, Canvas, INK, LEFT, MUTED, Px, text_width_px};
 use crate::report::curve::Contender;
@@ -34,24 +34,14 @@ impl Key {
         }
     }
 
-    pub(super) fn line<DB: DrawingBackend>(
-        &self,
-        canvas: &Canvas<'_, DB>,
-        points: Vec<Px>,
-    ) -> Result<()>
-    where
-        DB::ErrorType: 'static,
-    {
+    pub(super) fn line(&self, canvas: &Canvas<'_, '_>, points: Vec<Px>) -> Result<()> {
         match self.dash_px {
-            Some(dash_px) => canvas.dashed_line(points, self.color, 1, dash_px),
+            Some(dash_px) => canvas.dashed_line(points, self.color, dash_px),
             None => canvas.line(points, self.color, 2),
         }
     }
 
-    pub(super) fn marker<DB: DrawingBackend>(&self, canvas: &Canvas<'_, DB>, at: Px) -> Result<()>
-    where
-        DB::ErrorType: 'static,
-    {
+    pub(super) fn marker(&self, canvas: &Canvas<'_, '_>, at: Px) -> Result<()> {
         let radius_px = if self.dash_px.is_some() { 3 } else { 4 };
         self.marker.map_or(Ok(()), |marker| {
             canvas.marker(marker, at, radius_px, self.color)
@@ -111,15 +101,12 @@ pub(super) fn from_top<'a>(
 }
 
 /// Draws the legend at `left`, between `top` and `bottom`.
-pub(super) fn paint<DB: DrawingBackend>(
-    canvas: &Canvas<'_, DB>,
+pub(super) fn paint(
+    canvas: &Canvas<'_, '_>,
     mut entries: Vec<Entry<'_>>,
     left: i32,
     (top, bottom): (i32, i32),
-) -> Result<()>
-where
-    DB::ErrorType: 'static,
-{
+) -> Result<()> {
     entries.sort_by_key(|entry| entry.wanted_y);
     let two_lines = entries
         .iter()

@@ -7,22 +7,24 @@ use std::path::Path;
 use std::sync::Once;
 
 use anyhow::{Context as _, Result};
-use plotters::prelude::{
-    BitMapBackend, DrawingArea, DrawingBackend, FontStyle, IntoDrawingArea, SVGBackend,
-};
+use plotters::prelude::{BitMapBackend, FontStyle, IntoDrawingArea, SVGBackend};
 use plotters::style::register_font;
 
 use super::load::Run;
-use super::paper::Paper;
+use super::paper::{Paper, figure_names};
 use super::pareto::Cloud;
+use crate::output::{self, remove_stale, write_atomically};
 use crate::record::Image;
+use backend::{Backend, PNG_SCALE};
 
 mod axis;
+mod backend;
 mod bars;
 mod canvas;
 mod chosen;
 mod errors_by_parameter;
 mod flight;
+mod frame;
 mod labels;
 mod legend;
 mod lines;
@@ -33,14 +35,14 @@ mod scatter;
 mod shadow_time_by_scene;
 mod shadow_time_by_triangles;
 
+/// Name of the folder of plots in a run directory.
+pub const PLOTS_DIR: &str = "plots";
 /// How the names of plots begin that depend on the scenes of a run.
-pub(super) const SCENE_PLOT_PREFIXES: [&str; 2] = [pareto::PREFIX, errors_by_parameter::PREFIX];
+const SCENE_PLOT_PREFIXES: [&str; 2] = [pareto::PREFIX, errors_by_parameter::PREFIX];
 
 /// Size of a plot in pixels, in which everything on it is placed; but scatter charts are larger, and
 /// those with more in their legends higher.
 const SIZE_PX: (u32, u32) = (900, 560);
-/// A PNG has this many pixels for each of them: text set at whole pixels is uneven at fewer.
-const PNG_SCALE: u32 = 2;
 
 /// One plot of a run.
 #[derive(Debug)]
@@ -73,6 +75,22 @@ impl Chart {
     }
 }
 
+impl Chart {
+    fn paint(&self, name: &str, title: &str, backend: Backend<'_>) -> Result<()> {
+        install_font();
+        let area = backend.into_drawing_area();
+        area.fill(&canvas::PAPER)?;
+        let canvas = &canvas::Canvas(&area);
+        let painted = canvas.title(title).and_then(|()| match self {
+            Self::Lines(chart) => chart.paint(canvas),
+            Self::Bars(chart) => chart.paint(canvas),
+            Self::Scatter(chart) => chart.paint(canvas),
+        });
+        painted.with_context(|| format!("cannot draw the plot {name}"))?;
+        Ok(area.present()?)
+    }
+}
+
 /// A chart with its name and title.
 #[derive(Debug)]
 struct Figure {
@@ -96,18 +114,46 @@ pub fn draw_pareto(run: &Run, clouds: &[Cloud]) -> Result<Vec<Plot>> {
     figures.chain(by_parameter).map(Plot::new).collect()
 }
 
-/// Figures 5 to 8 of the paper: its curves and the measured ones in one picture.
-pub fn draw_paper(paper: &Paper) -> Result<Vec<Plot>> {
-    paper::figures(paper).into_iter().map(Plot::new).collect()
+/// The figures of papers: their curves and the measured ones in one picture.
+pub fn draw_papers(papers: &[Paper]) -> Result<Vec<Plot>> {
+    let figures = papers.iter().flat_map(paper::figures);
+    figures.map(Plot::new).collect()
+}
+
+/// Writes the plots into the folder [`PLOTS_DIR`] of `dir`, and removes figures of papers and of accuracy
+/// that an earlier report wrote and this one does not.
+pub(super) fn write(dir: &Path, plots: &[Plot]) -> Result<()> {
+    let dir = dir.join(PLOTS_DIR);
+    output::create_dir_all(&dir)?;
+    for plot in plots {
+        write_atomically(&dir.join(format!("{}.svg", plot.name)), &plot.svg)?;
+        plot.write_png(&dir.join(format!("{}.png", plot.name)))?;
+    }
+    let figures = figure_names()?;
+    let unreadable = || format!("cannot read {}", dir.display());
+    for entry in dir.read_dir().with_context(unreadable)? {
+        let path = entry.with_context(unreadable)?.path();
+        let is_plot = path
+            .extension()
+            .is_some_and(|end| end == "svg" || end == "png");
+        let name = path.file_stem().unwrap_or_default().to_string_lossy();
+        // Plots of accuracy depend on the scenes, so that only the folder knows what an earlier report wrote.
+        let is_ours = SCENE_PLOT_PREFIXES
+            .iter()
+            .any(|prefix| name.starts_with(prefix))
+            || figures.iter().any(|figure| **figure == *name);
+        if is_plot && is_ours && plots.iter().all(|plot| *plot.name != *name) {
+            remove_stale(&path)?;
+        }
+    }
+    Ok(())
 }
 
 impl Plot {
     fn new(Figure { name, title, chart }: Figure) -> Result<Self> {
-        install_font();
         let mut svg = String::new();
-        let backend = SVGBackend::with_string(&mut svg, chart.size_px());
-        paint(&chart, &title, &backend.into_drawing_area())
-            .with_context(|| format!("cannot draw the plot {name}"))?;
+        let backend = Backend::Svg(SVGBackend::with_string(&mut svg, chart.size_px()));
+        chart.paint(&name, &title, backend)?;
         Ok(Self {
             name,
             title,
@@ -123,34 +169,13 @@ impl Plot {
 
     /// Writes the plot as a PNG to `path`.
     pub fn write_png(&self, path: &Path) -> Result<()> {
-        install_font();
         let (width, height) = self.chart.size_px();
         let size_px = (width * PNG_SCALE, height * PNG_SCALE);
         let mut rgb = vec![0; 3 * size_px.0 as usize * size_px.1 as usize];
-        let backend = BitMapBackend::with_buffer(&mut rgb, size_px);
-        paint(&self.chart, &self.title, &backend.into_drawing_area())
-            .with_context(|| format!("cannot draw the plot {}", self.name))?;
+        let backend = Backend::Png(BitMapBackend::with_buffer(&mut rgb, size_px));
+        self.chart.paint(&self.name, &self.title, backend)?;
         Image::rgb(size_px, &rgb).write_png(path)
     }
-}
-
-/// Draws a chart onto any backend; all that tells an SVG from a PNG has been decided before.
-fn paint<DB: DrawingBackend>(
-    chart: &Chart,
-    title: &str,
-    area: &DrawingArea<DB, plotters::coord::Shift>,
-) -> Result<()>
-where
-    DB::ErrorType: 'static,
-{
-    let canvas = canvas::Canvas::new(area, chart.size_px())?;
-    canvas.title(title)?;
-    match chart {
-        Chart::Lines(chart) => chart.paint(&canvas)?,
-        Chart::Bars(chart) => chart.paint(&canvas)?,
-        Chart::Scatter(chart) => chart.paint(&canvas)?,
-    }
-    area.present().map_err(anyhow::Error::from)
 }
 
 /// Gives plotters the font that comes with the program: a PNG must look alike on every machine, also

@@ -1,5 +1,4 @@
-//! Figures 5 to 8 of Milet et al. 2014, each the picture of a table: published and measured devices
-//! together.
+//! The figures of papers, each the picture of a table: published and measured devices together.
 //!
 //! A line's colour says what is compared, its marker which device; lines of the paper are dashed and
 //! thin, its bars hollow.
@@ -22,6 +21,13 @@ pub(super) fn figures(paper: &Paper) -> Vec<Figure> {
     paper.sheets.iter().map(figure).collect()
 }
 
+fn names(sheet: &Sheet) -> impl Iterator<Item = &str> {
+    sheet
+        .paper
+        .series_of(sheet.spec)
+        .map(|series| series.name.as_str())
+}
+
 fn figure(sheet: &Sheet) -> Figure {
     // A legend of lines shows its dashes; one of bars has nothing hollow to show.
     let (chart, key) = if sheet.spec.series_are_rows {
@@ -29,9 +35,9 @@ fn figure(sheet: &Sheet) -> Figure {
     } else {
         (Chart::Lines(lines(sheet)), "")
     };
-    let (number, what) = (sheet.spec.figure, sheet.spec.title);
+    let (number, what) = (sheet.spec.figure, &sheet.spec.title);
     Figure {
-        name: sheet.spec.figure_name(),
+        name: sheet.paper.figure_name(sheet.spec),
         title: format!("Figure {number}: {what}{key}"),
         chart,
     }
@@ -40,13 +46,13 @@ fn figure(sheet: &Sheet) -> Figure {
 fn lines(sheet: &Sheet) -> LineChart {
     let mut lines = Vec::new();
     for (device, column) in sheet.columns.iter().enumerate() {
-        for (series, what) in sheet.spec.series.iter().enumerate() {
+        for (series, name) in names(sheet).enumerate() {
             let points: Vec<(f64, f64)> = sheet
                 .points
                 .iter()
                 .enumerate()
                 .filter_map(|(at, point)| {
-                    Some((point.number()? as f64, column.cell(series, at)?.fps))
+                    Some((point.number? as f64, column.value(series, at)?.value))
                 })
                 .collect();
             if !points.is_empty() {
@@ -55,7 +61,7 @@ fn lines(sheet: &Sheet) -> LineChart {
                         color: canvas::color(series),
                         ..device_key(device, column)
                     },
-                    contender: contender(what.name, &column.device),
+                    contender: Contender::new(name, &column.device),
                     points,
                 });
             }
@@ -67,8 +73,8 @@ fn lines(sheet: &Sheet) -> LineChart {
     let x: Vec<f64> = points().map(|point| point.0).collect();
     let y: Vec<f64> = points().map(|point| point.1).collect();
     LineChart {
-        x: Axis::fit(sheet.spec.points, x.into_iter()),
-        y: Axis::fit("Frames per second", y.into_iter()),
+        x: Axis::fit(&sheet.spec.points, x.into_iter()),
+        y: Axis::fit(sheet.paper.quantity.title(), y.into_iter()),
         keys: keys(sheet),
         lines,
     }
@@ -76,12 +82,12 @@ fn lines(sheet: &Sheet) -> LineChart {
 
 /// The colours, then the markers.
 fn keys(sheet: &Sheet) -> Vec<(Key, Contender)> {
-    let series = sheet.spec.series.iter().enumerate().map(|(index, what)| {
+    let series = names(sheet).enumerate().map(|(index, name)| {
         let key = Key {
             marker: None,
             ..Key::of(index)
         };
-        (key, contender(what.name, ""))
+        (key, Contender::new(name, ""))
     });
     let devices = sheet.columns.iter().enumerate().map(|(index, column)| {
         let who = if column.is_published() {
@@ -89,7 +95,10 @@ fn keys(sheet: &Sheet) -> Vec<(Key, Contender)> {
         } else {
             "measured"
         };
-        (device_key(index, column), contender(&column.device, who))
+        (
+            device_key(index, column),
+            Contender::new(&column.device, who),
+        )
     });
     series.chain(devices).collect()
 }
@@ -103,13 +112,6 @@ fn device_key(index: usize, column: &Column) -> Key {
     }
 }
 
-fn contender(method: &str, variant: &str) -> Contender {
-    Contender {
-        method: method.to_owned(),
-        variant: variant.to_owned(),
-    }
-}
-
 /// The bars of each device, scene by scene.
 fn bars(sheet: &Sheet) -> BarChart {
     let (mut groups, mut bands) = (Vec::new(), Vec::new());
@@ -118,16 +120,16 @@ fn bars(sheet: &Sheet) -> BarChart {
         let measured = devices.filter(|group| group.bars.iter().any(Option::is_some));
         let before = groups.len();
         groups.extend(measured);
-        bands.push((point.name(), groups.len() - before));
+        bands.push((point.name.clone(), groups.len() - before));
     }
     let all = groups.iter().flat_map(|group| group.bars.iter().flatten());
     let fps: Vec<f64> = all.map(|bar| bar.value).collect();
-    let names = sheet.spec.series.iter().map(|what| what.name);
+    let names = names(sheet);
     BarChart {
-        y: Axis::fit("Frames per second", fps.into_iter()),
+        y: Axis::fit(sheet.paper.quantity.title(), fps.into_iter()),
         keys: names
             .enumerate()
-            .map(|(index, name)| (Key::of(index), contender(name, "")))
+            .map(|(index, name)| (Key::of(index), Contender::new(name, "")))
             .collect(),
         groups,
         bands,
@@ -136,15 +138,15 @@ fn bars(sheet: &Sheet) -> BarChart {
 
 fn group(column: &Column, point: usize) -> Group {
     let bar = |series| {
-        let cell = column.cell(series, point)?;
+        let cell = column.value(series, point)?;
         Some(Bar {
-            value: cell.fps,
+            value: cell.value,
             whisker: None,
         })
     };
     Group {
         name: column.device.clone(),
         hollow: column.is_published(),
-        bars: (0..column.cells.len()).map(bar).collect(),
+        bars: (0..column.values.len()).map(bar).collect(),
     }
 }

@@ -1,44 +1,34 @@
 //! The key of a scatter chart: what its lines and markers mean, in rows above it.
 
 use anyhow::Result;
-use plotters::prelude::DrawingBackend;
 
 use super::canvas::{Canvas, FADED, FRONT, INK, LEFT, Px, WHISKER, text_width_px};
-use super::scatter::{CAP_PX, CurveLine, Dot, ScatterChart};
+use super::legend::Key;
 
 const KEY_PX: i32 = 14;
 const KEY_LINE_PX: i32 = 24;
+/// Half the width of a whisker's end.
+pub(super) const CAP_PX: i32 = 3;
 
 /// An entry of the key above the chart.
-enum Sample<'a> {
+pub(super) enum Sample<'a> {
     Front,
     Dominated,
+    /// What the intervals are.
     Interval(&'a str),
-    Curve(&'a CurveLine),
+    /// A curve and its name.
+    Curve(Key, &'a str),
 }
 
 /// Draws the key in rows from `at` and gives the height at which it ends.
-pub(super) fn paint<DB: DrawingBackend>(
-    chart: &ScatterChart,
-    canvas: &Canvas<'_, DB>,
+pub(super) fn paint<'a>(
+    samples: impl Iterator<Item = Sample<'a>>,
+    canvas: &Canvas<'_, '_>,
     at: Px,
-) -> Result<i32>
-where
-    DB::ErrorType: 'static,
-{
-    let has = |found: bool, sample| found.then_some(sample);
-    let dominated = chart.dots.iter().any(|dot| !dot.on_front);
-    let ranged = |dot: &Dot| dot.x_range.or(dot.y_range).is_some();
-    let interval = chart.dots.iter().any(ranged);
-    let samples = [
-        Some(Sample::Front),
-        has(dominated, Sample::Dominated),
-        has(interval, Sample::Interval(chart.interval)),
-    ];
-    let curves = chart.curves.iter().map(Sample::Curve);
+) -> Result<i32> {
     let (width, _) = canvas.size();
     let (mut x, mut y) = at;
-    for sample in samples.into_iter().flatten().chain(curves) {
+    for sample in samples {
         let entry_px = KEY_LINE_PX + 8 + text_width_px(sample.name(), KEY_PX);
         if x > at.0 && x + entry_px > width - 16 {
             (x, y) = (at.0, y + 22);
@@ -57,14 +47,11 @@ impl Sample<'_> {
             Self::Front => "Pareto front",
             Self::Dominated => "dominated",
             Self::Interval(what) => what,
-            Self::Curve(curve) => &curve.name,
+            Self::Curve(_, name) => name,
         }
     }
 
-    fn paint<DB: DrawingBackend>(&self, canvas: &Canvas<'_, DB>, (x, y): Px) -> Result<()>
-    where
-        DB::ErrorType: 'static,
-    {
+    fn paint(&self, canvas: &Canvas<'_, '_>, (x, y): Px) -> Result<()> {
         let (middle, right) = (x + KEY_LINE_PX / 2, x + KEY_LINE_PX);
         match self {
             Self::Front => canvas.line(
@@ -78,9 +65,9 @@ impl Sample<'_> {
                 canvas.line(vec![(x, y - CAP_PX), (x, y + CAP_PX)], WHISKER, 1)?;
                 canvas.line(vec![(right, y - CAP_PX), (right, y + CAP_PX)], WHISKER, 1)
             }
-            Self::Curve(curve) => {
-                canvas.line(vec![(x, y), (right, y)], curve.key.color, 1)?;
-                curve.key.marker(canvas, (middle, y))
+            Self::Curve(key, _) => {
+                canvas.line(vec![(x, y), (right, y)], key.color, 1)?;
+                key.marker(canvas, (middle, y))
             }
         }
     }

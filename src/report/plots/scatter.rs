@@ -1,22 +1,19 @@
 //! Scatter charts: named points with intervals on both axes, lines through some of them, and a front.
 
 use anyhow::Result;
-use plotters::prelude::DrawingBackend;
 
 use super::axis::Axis;
 use super::canvas::{
     CENTER, Canvas, FADED, FRONT, INK, LEFT, MUTED, PAPER, Px, RIGHT, WHISKER, text_width_px,
 };
+use super::frame::{Frame, Room};
 use super::labels::{self, Anchor, Placed, Rect};
 use super::legend::Key;
-use super::lines::Frame;
-use super::sample_row;
+use super::sample_row::{self, CAP_PX, Sample};
 
 /// How large it is drawn: dozens of names need room.
 pub(super) const SIZE_PX: (u32, u32) = (1200, 800);
 const NAME_PX: i32 = 13;
-/// Half the width of a whisker's end.
-pub(super) const CAP_PX: i32 = 3;
 
 /// A scatter chart; less is better on both axes.
 #[derive(Debug)]
@@ -52,20 +49,14 @@ pub(super) struct CurveLine {
 }
 
 impl ScatterChart {
-    pub(super) fn paint<DB: DrawingBackend>(&self, canvas: &Canvas<'_, DB>) -> Result<()>
-    where
-        DB::ErrorType: 'static,
-    {
-        let (width, height) = canvas.size();
-        let below_key = sample_row::paint(self, canvas, (16, 54))?;
-        let frame = Frame {
-            left: 84,
-            right: width - 24,
+    pub(super) fn paint(&self, canvas: &Canvas<'_, '_>) -> Result<()> {
+        let below_key = sample_row::paint(self.samples(), canvas, (16, 54))?;
+        let room = Room {
             top: below_key + 8,
-            bottom: height - 62,
+            right: 24,
+            bottom: 62,
         };
-        frame.paint_y_axis(canvas, &self.y)?;
-        frame.paint_x_axis(canvas, &self.x)?;
+        let frame = &Frame::paint(canvas, &self.x, &self.y, room)?;
         self.paint_breaks(canvas, frame)?;
 
         let placed = self.place_names(frame);
@@ -86,7 +77,7 @@ impl ScatterChart {
         for (index, Placed { rect, .. }) in &placed {
             let dot = &self.dots[*index];
             let color = if dot.on_front { INK } else { MUTED };
-            let (x, _) = self.place_of(frame, dot.at);
+            let (x, _) = frame.place(dot.at);
             let y = (rect.top + rect.bottom) / 2;
             // Against the point: the room for a name is rather wider than the name.
             let (at, pos) = if rect.left >= x {
@@ -101,17 +92,30 @@ impl ScatterChart {
         Ok(())
     }
 
-    fn place_of(&self, frame: Frame, (x, y): (f64, f64)) -> Px {
-        (frame.x(&self.x, x), frame.y(&self.y, y))
+    /// What the key explains: what there is.
+    fn samples(&self) -> impl Iterator<Item = Sample<'_>> {
+        let dominated = self.dots.iter().any(|dot| !dot.on_front);
+        let interval = self
+            .dots
+            .iter()
+            .any(|dot| dot.x_range.or(dot.y_range).is_some());
+        let samples = [
+            Some(Sample::Front),
+            dominated.then_some(Sample::Dominated),
+            interval.then_some(Sample::Interval(self.interval)),
+        ];
+        let curves = self.curves.iter();
+        let curves = curves.map(|curve| Sample::Curve(curve.key, &curve.name));
+        samples.into_iter().flatten().chain(curves)
     }
 
-    fn path(&self, frame: Frame, dots: &[usize]) -> Vec<Px> {
-        let at = |index: &usize| self.place_of(frame, self.dots[*index].at);
+    fn path(&self, frame: &Frame, dots: &[usize]) -> Vec<Px> {
+        let at = |index: &usize| frame.place(self.dots[*index].at);
         dots.iter().map(at).collect()
     }
 
     /// The front as steps: at each time, the fewest wrong pixels that one can have by then.
-    fn front_path(&self, frame: Frame) -> Vec<Px> {
+    fn front_path(&self, frame: &Frame) -> Vec<Px> {
         let mut path: Vec<Px> = Vec::new();
         for (x, y) in self.path(frame, &self.front) {
             path.push((x, path.last().map_or(frame.top, |last| last.1)));
@@ -122,7 +126,7 @@ impl ScatterChart {
     }
 
     /// The names' places, those of the front first: they matter most.
-    fn place_names(&self, frame: Frame) -> Vec<(usize, Placed)> {
+    fn place_names(&self, frame: &Frame) -> Vec<(usize, Placed)> {
         let mut order: Vec<usize> = (0..self.dots.len()).collect();
         order.sort_by_key(|index| !self.dots[*index].on_front);
         let anchors: Vec<Anchor> = order
@@ -130,7 +134,7 @@ impl ScatterChart {
             .map(|index| {
                 let dot = &self.dots[*index];
                 Anchor {
-                    at: self.place_of(frame, dot.at),
+                    at: frame.place(dot.at),
                     size: (text_width_px(&dot.name, NAME_PX) + 4, NAME_PX + 3),
                 }
             })
@@ -146,7 +150,7 @@ impl ScatterChart {
     }
 
     /// Every line that a name had better not lie over.
-    fn lines(&self, frame: Frame) -> Vec<[Px; 2]> {
+    fn lines(&self, frame: &Frame) -> Vec<[Px; 2]> {
         let curves = self.curves.iter();
         let paths = curves.map(|curve| self.path(frame, &curve.dots));
         let mut lines: Vec<[Px; 2]> = Vec::new();
@@ -162,30 +166,22 @@ impl ScatterChart {
     }
 
     /// The height at which the vertical axis breaks off before zero, if it does.
-    fn break_y(&self, frame: Frame) -> Option<i32> {
+    fn break_y(&self, frame: &Frame) -> Option<i32> {
         let band = self.y.zero_band()?;
         let band_px = f64::from(frame.bottom - frame.top) * band * 0.92;
         Some(frame.bottom - band_px.round() as i32)
     }
 
     /// A dot's intervals, the horizontal one first.
-    fn whiskers(&self, frame: Frame, dot: &Dot) -> [Option<[Px; 2]>; 2] {
-        let (x, y) = self.place_of(frame, dot.at);
-        let across = |(low, high)| [(frame.x(&self.x, low), y), (frame.x(&self.x, high), y)];
-        let along = |(low, high)| [(x, frame.y(&self.y, low)), (x, frame.y(&self.y, high))];
+    fn whiskers(&self, frame: &Frame, dot: &Dot) -> [Option<[Px; 2]>; 2] {
+        let (x, y) = dot.at;
+        let across = |(low, high)| [low, high].map(|x| frame.place((x, y)));
+        let along = |(low, high)| [low, high].map(|y| frame.place((x, y)));
         [dot.x_range.map(across), dot.y_range.map(along)]
     }
 
-    fn paint_dot<DB: DrawingBackend>(
-        &self,
-        canvas: &Canvas<'_, DB>,
-        frame: Frame,
-        dot: &Dot,
-    ) -> Result<()>
-    where
-        DB::ErrorType: 'static,
-    {
-        let at = self.place_of(frame, dot.at);
+    fn paint_dot(&self, canvas: &Canvas<'_, '_>, frame: &Frame, dot: &Dot) -> Result<()> {
+        let at = frame.place(dot.at);
         let Some(marker) = dot.key.marker else {
             return Ok(());
         };
@@ -197,14 +193,7 @@ impl ScatterChart {
         }
     }
 
-    fn paint_whiskers<DB: DrawingBackend>(
-        &self,
-        canvas: &Canvas<'_, DB>,
-        frame: Frame,
-    ) -> Result<()>
-    where
-        DB::ErrorType: 'static,
-    {
+    fn paint_whiskers(&self, canvas: &Canvas<'_, '_>, frame: &Frame) -> Result<()> {
         for dot in &self.dots {
             let [across, along] = self.whiskers(frame, dot);
             for (ends, cap) in [(across, (0, CAP_PX)), (along, (CAP_PX, 0))] {
@@ -224,20 +213,16 @@ impl ScatterChart {
     }
 
     /// Shows where the axes break off before zero: a dashed line, and a gap in the axis.
-    fn paint_breaks<DB: DrawingBackend>(&self, canvas: &Canvas<'_, DB>, frame: Frame) -> Result<()>
-    where
-        DB::ErrorType: 'static,
-    {
+    fn paint_breaks(&self, canvas: &Canvas<'_, '_>, frame: &Frame) -> Result<()> {
         let left = frame.left;
         if let Some(band) = self.x.zero_band() {
             let band_px = f64::from(frame.right - left) * band * 0.92;
             let x = left + band_px.round() as i32;
-            canvas.dashed_line(vec![(x, frame.top), (x, frame.bottom)], MUTED, 1, 4)?;
+            canvas.dashed_line(vec![(x, frame.top), (x, frame.bottom)], MUTED, 4)?;
         }
         let bottom = self.break_y(frame).unwrap_or(frame.bottom);
-        canvas.line(vec![(left, frame.top), (left, bottom)], MUTED, 1)?;
         if bottom < frame.bottom {
-            canvas.dashed_line(vec![(left, bottom), (frame.right, bottom)], MUTED, 1, 4)?;
+            canvas.dashed_line(vec![(left, bottom), (frame.right, bottom)], MUTED, 4)?;
             canvas.rect(
                 [(frame.left - 5, bottom - 3), (frame.left + 5, bottom + 3)],
                 PAPER,

@@ -25,7 +25,7 @@ fn cause(id: &str, title: &str, values: &[f64]) -> CauseRecord {
 fn method(id: &str, variant: &str) -> StressMethod {
     StressMethod {
         id: id.to_owned(),
-        variant: variant.to_owned(),
+        variant: variant.parse().unwrap(),
         tolerated_share: 0.0,
         declared: Vec::new(),
     }

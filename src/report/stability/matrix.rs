@@ -219,9 +219,4 @@ impl StressRun {
         }
         counts
     }
-
-    /// Pictures that are wrong though no limit of their method says that they would be.
-    pub fn undeclared(&self) -> usize {
-        self.counts().undeclared
-    }
 }

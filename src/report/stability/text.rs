@@ -1,12 +1,9 @@
 //! The matrix for a terminal and as Markdown.
 
-use super::{Cell, Failure, Line, Matrix, StressRun, Unseen};
+use super::{Cell, Failure, Matrix, StressRun, Unseen};
 use crate::report::format::{count, short};
-use crate::report::markdown::{align, escape};
+use crate::report::table::{self, Column, Part, Table, escape};
 
-/// As wide as a line may be for a terminal.
-const MAX_COLUMNS: usize = 120;
-const GAP: &str = "  ";
 const NOTES: &str = "A cell says the first value at which the method fails, and its artifact pixels there \
     and, after an arrow, where they are the most. **!** is a failure that no limit of the method declares; \
     · no failure; – unavailable.";
@@ -15,17 +12,19 @@ impl StressRun {
     /// The matrix for a terminal: methods are numbered columns, their names a legend below.
     pub fn matrix_text(&self) -> String {
         let matrix = self.matrix();
-        let mut text = String::new();
-        let rows: Vec<Vec<String>> = matrix.lines.iter().map(texts).collect();
-        for columns in blocks(&matrix, &rows) {
-            text.push_str(&block(&matrix, &rows, &columns));
-            text.push('\n');
-        }
+        let numbers = (1..=matrix.methods.len()).map(|number| Column::number(number.to_string()));
+        let columns = [Column::text("cause")].into_iter().chain(numbers);
+        let rows = matrix.lines.iter().map(|line| {
+            let cells = line.cells.iter().map(|cell| text(cell).into());
+            let head = [line.cause.id.as_str().into()].into_iter();
+            head.chain(cells).collect::<Vec<table::Cell>>()
+        });
+        let mut text = Table::new("", columns).extend(rows).text() + "\n";
         let digits = matrix.methods.len().to_string().len();
         for (index, method) in matrix.methods.iter().enumerate() {
-            text.push_str(&format!("{:>digits$}{GAP}{}\n", index + 1, method.name()));
+            text.push_str(&format!("{:>digits$}  {}\n", index + 1, method.name()));
         }
-        text.push_str(&format!("\n{}\n{}\n", legend(&rows), self.tally()));
+        text.push_str(&format!("\n{}\n{}\n", legend(&matrix), self.tally()));
         for unseen in self.unseen() {
             text.push_str(&format!("declared, not seen: {}\n", unseen.words()));
         }
@@ -35,20 +34,25 @@ impl StressRun {
     /// The matrix as a Markdown document.
     pub fn matrix_markdown(&self) -> String {
         let matrix = self.matrix();
-        let mut head = vec!["Cause".to_owned(), "Number".to_owned()];
-        head.extend(matrix.methods.iter().map(|method| escape(&method.name())));
-        let mut rows = vec![head];
-        for line in &matrix.lines {
-            let mut row = vec![escape(&line.cause.id), escape(&line.cause.number)];
-            row.extend(line.cells.iter().map(markdown_cell));
-            rows.push(row);
-        }
-        let mut text = format!(
-            "# {}\n\n{}\n{NOTES}\n\n{}\n",
-            escape(self.title()),
-            align(&rows, &[0, 1]),
-            self.tally()
-        );
+        let methods = matrix
+            .methods
+            .iter()
+            .map(|method| Column::number(method.name()));
+        let columns = ["Cause", "Number"]
+            .map(Column::text)
+            .into_iter()
+            .chain(methods);
+        let rows = matrix.lines.iter().map(|line| {
+            let heads = [
+                line.cause.id.as_str().into(),
+                line.cause.number.as_str().into(),
+            ];
+            let cells = line.cells.iter().map(markdown);
+            heads.into_iter().chain(cells).collect::<Vec<table::Cell>>()
+        });
+        let table = Table::new("", columns).extend(rows).markdown();
+        let title = escape(self.title());
+        let mut text = format!("# {title}\n\n{table}\n{NOTES}\n\n{}\n", self.tally());
         let unseen = self.unseen();
         if !unseen.is_empty() {
             text.push_str("\n## Declared, not seen\n\n");
@@ -114,17 +118,17 @@ impl Unseen<'_> {
     }
 }
 
-/// The cells of a line in few characters.
-fn texts(line: &Line<'_>) -> Vec<String> {
-    let text = |cell: &Cell<'_>| match cell {
-        Cell::Untried => String::new(),
-        Cell::Unavailable { .. } => "–".to_owned(),
-        Cell::Right { cut_off: true, .. } => "·…".to_owned(),
-        Cell::Right { unavailable: 0, .. } => "·".to_owned(),
-        Cell::Right { .. } => "·–".to_owned(),
-        Cell::Fails(failure) => format!("{}{}", short(failure.first.value), mark(failure)),
-    };
-    line.cells.iter().map(text).collect()
+/// A cell in few characters.
+fn text(cell: &Cell<'_>) -> String {
+    match cell {
+        Cell::Untried => "",
+        Cell::Unavailable { .. } => table::DASH,
+        Cell::Right { cut_off: true, .. } => "·…",
+        Cell::Right { unavailable: 0, .. } => "·",
+        Cell::Right { .. } => "·–",
+        Cell::Fails(failure) => return format!("{}{}", short(failure.first.value), mark(failure)),
+    }
+    .to_owned()
 }
 
 fn mark(failure: &Failure<'_>) -> &'static str {
@@ -136,92 +140,43 @@ fn mark(failure: &Failure<'_>) -> &'static str {
 }
 
 /// What the signs in the cells mean: those that there are.
-fn legend(rows: &[Vec<String>]) -> String {
-    let has = |end: &str| rows.iter().flatten().any(|cell| cell.ends_with(end));
+fn legend(matrix: &Matrix<'_>) -> String {
+    let cells = matrix.lines.iter().flat_map(|line| &line.cells);
+    let cells: Vec<String> = cells.map(text).collect();
+    let signs = [
+        ("!", "! declared by no limit."),
+        ("+!", "+! undeclared at a later value."),
+        ("·", "· never."),
+        ("–", "– unavailable."),
+        ("·–", "·– unavailable at some values."),
+        ("·…", "·… interrupted before the last value."),
+    ];
+    let known = signs
+        .iter()
+        .filter(|(sign, _)| cells.iter().any(|cell| cell.ends_with(sign)));
     let mut parts = vec!["A cell says the first value that fails."];
-    parts.extend((has("!")).then_some("! declared by no limit."));
-    parts.extend((has("+!")).then_some("+! undeclared at a later value."));
-    parts.extend(has("·").then_some("· never."));
-    parts.extend(has("–").then_some("– unavailable."));
-    parts.extend(has("·–").then_some("·– unavailable at some values."));
-    parts.extend(has("·…").then_some("·… interrupted before the last value."));
+    parts.extend(known.map(|(_, meaning)| meaning));
     parts.join(" ")
 }
 
-fn label_width(matrix: &Matrix<'_>) -> usize {
-    let ids = matrix
-        .lines
-        .iter()
-        .map(|line| line.cause.id.chars().count());
-    ids.max().unwrap_or_default().max("cause".len())
-}
-
-fn column_width(rows: &[Vec<String>], column: usize) -> usize {
-    let cells = rows.iter().map(|row| row[column].chars().count());
-    let number = (column + 1).to_string().len();
-    cells.max().unwrap_or_default().max(number)
-}
-
-/// The columns, as many in a block as a line has room for.
-fn blocks(matrix: &Matrix<'_>, rows: &[Vec<String>]) -> Vec<Vec<usize>> {
-    let mut blocks: Vec<Vec<usize>> = Vec::new();
-    let mut left = 0;
-    for column in 0..matrix.methods.len() {
-        let width = GAP.len() + column_width(rows, column);
-        match blocks.last_mut() {
-            Some(block) if width <= left => {
-                block.push(column);
-                left -= width;
-            }
-            _ => {
-                blocks.push(vec![column]);
-                left = MAX_COLUMNS.saturating_sub(label_width(matrix) + width);
-            }
-        }
-    }
-    blocks
-}
-
-fn block(matrix: &Matrix<'_>, rows: &[Vec<String>], columns: &[usize]) -> String {
-    let label = label_width(matrix);
-    let line = |name: &str, cell: &dyn Fn(usize) -> String| {
-        let mut text = format!("{name:<label$}");
-        for &column in columns {
-            let width = column_width(rows, column);
-            text.push_str(&format!("{GAP}{:>width$}", cell(column)));
-        }
-        format!("{}\n", text.trim_end())
+fn markdown(cell: &Cell<'_>) -> table::Cell {
+    let Cell::Fails(failure) = cell else {
+        return text(cell).into();
     };
-    let mut text = line("cause", &|column| (column + 1).to_string());
-    for (row, of) in rows.iter().zip(&matrix.lines) {
-        text.push_str(&line(&of.cause.id, &|column| row[column].clone()));
-    }
-    text
-}
-
-fn markdown_cell(cell: &Cell<'_>) -> String {
-    let failure = match cell {
-        Cell::Untried => return String::new(),
-        Cell::Unavailable { .. } => return "–".to_owned(),
-        Cell::Right { cut_off: true, .. } => return "·…".to_owned(),
-        Cell::Right { unavailable: 0, .. } => return "·".to_owned(),
-        Cell::Right { .. } => return "·–".to_owned(),
-        Cell::Fails(failure) => failure,
-    };
+    let first = short(failure.first.value);
     let value = match failure.undeclared {
-        None => short(failure.first.value),
-        Some(_) if failure.begins_undeclared() => format!("**{}!**", short(failure.first.value)),
-        Some(later) => format!(
-            "{}, **{}!**",
-            short(failure.first.value),
-            short(later.value)
-        ),
+        None => first.into(),
+        Some(_) if failure.begins_undeclared() => table::Cell::strong(format!("{first}!")),
+        Some(later) => {
+            let later = Part::Strong(format!("{}!", short(later.value)));
+            table::Cell::from(format!("{first}, ")).with(later)
+        }
     };
-    format!("{value} ({})", px(failure))
+    value.small(px(failure))
 }
 
 /// Artifact pixels at the first failure and at the worst, once where they are equal.
-pub(in crate::report) fn px(failure: &Failure<'_>) -> String {
+fn px(failure: &Failure<'_>) -> String {
     let (first, worst) = (failure.first.artifact_px, failure.worst.artifact_px);
     if first == worst {
         format!("{} px", count(first))

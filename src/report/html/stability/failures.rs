@@ -2,53 +2,32 @@
 
 use super::failure_id;
 use crate::file_name::file_name;
-use crate::methods::full_name;
 use crate::record::pairs_from_text;
 use crate::record::stress::{FAILURES_DIR, GAP_PX, Outcome, StressRow};
 use crate::report::format::{count, short};
-use crate::report::html::pictures::data_uri;
+use crate::report::html::pictures::{Held, data_uri, size_bytes};
 use crate::report::stability::{Failure, Line, Matrix, StressRun};
 use anyhow::Result;
 use maud::{Markup, html};
-use std::collections::HashSet;
 
-/// As many bytes of pictures as a page may hold, so that browsers still open it at once.
-const MAX_BYTES: u64 = 22 << 20;
 /// Pixels of the page that a picture may be wide.
 const PAGE_WIDTH_PX: u32 = 1190;
 
 /// The pictures that the page holds; others it links to.
-pub(super) struct Album<'a> {
-    names: HashSet<&'a str>,
-    all: bool,
-}
+pub(super) type Album<'a> = Held<&'a str>;
 
 impl<'a> Album<'a> {
-    /// Those of undeclared failures first, as many as [`MAX_BYTES`] allow.
+    /// Those of undeclared failures first.
     pub(super) fn of(run: &StressRun, matrix: &Matrix<'a>) -> Self {
         let cells = matrix.lines.iter().flat_map(|line| &line.cells);
         let mut failures: Vec<&Failure<'a>> = cells.filter_map(|cell| cell.failure()).collect();
         failures.sort_by_key(|failure| failure.undeclared.is_none());
-        let rows = failures.iter().flat_map(|failure| failure.shown());
-        let mut left_bytes = MAX_BYTES;
-        let mut names = HashSet::new();
-        for row in rows {
+        let rows = failures.into_iter().flat_map(|failure| failure.shown());
+        let folder = run.dir.join(FAILURES_DIR);
+        Self::as_many_as_fit(rows.map(|row| {
             let name = row.picture.as_str();
-            let path = run.dir.join(FAILURES_DIR).join(name);
-            // What cannot be read is reported where it is embedded.
-            let bytes = path.metadata().map_or(0, |data| data.len());
-            match left_bytes.checked_sub(bytes) {
-                Some(left) => left_bytes = left,
-                None => return Self { names, all: false },
-            }
-            names.insert(name);
-        }
-        Self { names, all: true }
-    }
-
-    /// Whether no picture is left out.
-    pub(super) fn holds_all(&self) -> bool {
-        self.all
+            (name, size_bytes(&folder.join(name)))
+        }))
     }
 }
 
@@ -60,9 +39,10 @@ pub(super) fn figures(
     failure: &Failure<'_>,
     album: &Album<'_>,
 ) -> Result<Markup> {
+    let method = run.info.methods[index].name();
     let figures = failure
         .shown()
-        .map(|row| figure(run, line, index, row, album));
+        .map(|row| figure(run, line, &method, row, album));
     let figures: Vec<Markup> = figures.collect::<Result<_>>()?;
     Ok(html! {
         div id=(failure_id(line, index)) { @for figure in &figures { (figure) } }
@@ -72,12 +52,11 @@ pub(super) fn figures(
 fn figure(
     run: &StressRun,
     line: &Line<'_>,
-    index: usize,
+    method: &str,
     row: &StressRow,
     album: &Album<'_>,
 ) -> Result<Markup> {
-    let method = run.info.methods[index].name();
-    let picture = picture(run, line, row, &method, album)?;
+    let picture = picture(run, line, row, method, album)?;
     Ok(html! {
         figure.failure {
             (picture)
@@ -117,7 +96,7 @@ fn kinds(row: &StressRow) -> String {
 /// The command that draws the picture again, to be run in the directory of the run.
 fn command(run: &StressRun, row: &StressRow) -> String {
     let stem = file_name(&format!("{}_{}", row.cause, row.value));
-    let method = full_name(&row.method, &row.variant);
+    let method = row.variant.full_name(&row.method);
     format!(
         "svbench render {FAILURES_DIR}/{stem}.toml --method {} --size {}x{}",
         method, run.info.width, run.info.height
@@ -137,7 +116,7 @@ fn picture(
     if name.is_empty() {
         return Ok(missing);
     }
-    if !album.names.contains(name) {
+    if !album.holds(&name) {
         let address = format!("{FAILURES_DIR}/{name}");
         return Ok(html! { p.missing { a href=(address) { (name) } } });
     }

@@ -1,12 +1,15 @@
 //! The page of a stress run: where each method fails, and what that looks like.
 
-use super::{Fact, date, device_facts, facts_list, program, provenance, shell};
-use crate::record::stress::StressMethod;
-use crate::report::LegendEntry;
-use crate::report::format::{count, short};
-use crate::report::stability::{Failure, Line, Matrix, StressRun};
 use anyhow::Result;
 use maud::{Markup, PreEscaped, html};
+
+use super::provenance::Origin;
+use super::shell::{self, Section, banner, device_facts, facts_list, program};
+use crate::record::stress::StressMethod;
+use crate::report::LegendEntry;
+use crate::report::format::{date, number_of, short};
+use crate::report::stability::{Line, Matrix, StressRun};
+use crate::report::table::{Cell, Column, Table};
 
 mod causes;
 mod failures;
@@ -16,18 +19,18 @@ mod matrix;
 /// The page of a stress run. Pictures are read from its directory; one that is missing is said to be.
 pub(in crate::report) fn page(run: &StressRun, legend: &[LegendEntry]) -> Result<String> {
     let matrix = run.matrix();
-    let limits = limits::section(run);
-    let mut links = vec![("matrix", "Where methods fail"), ("causes", "Causes")];
-    links.extend(limits.is_some().then_some(("limits", "Limits")));
-    links.push(("provenance", "Provenance"));
-    let main = html! {
-        (banners(run, &matrix))
-        (matrix::section(&matrix))
-        (causes::section(run, &matrix, legend)?)
-        @if let Some(limits) = limits { (limits) }
-        (origin(run))
-    };
-    Ok(shell(run.title(), &facts(run), &links, &main))
+    let mut sections = vec![
+        matrix::section(&matrix),
+        causes::section(run, &matrix, legend)?,
+    ];
+    sections.extend(limits::section(run));
+    sections.push(origin(run));
+    Ok(shell::page(
+        run.title(),
+        &facts(run),
+        &banners(run, &matrix),
+        &sections,
+    ))
 }
 
 fn facts(run: &StressRun) -> Markup {
@@ -40,101 +43,70 @@ fn facts(run: &StressRun) -> Markup {
         format!("{minutes:.0} min")
     };
     let scenes: usize = info.causes.iter().map(|cause| cause.values.len()).sum();
-    let facts: [Fact; 6] = [
+    let corpus = [
+        number_of(info.causes.len(), "cause"),
+        number_of(scenes, "scene"),
+        number_of(info.methods.len(), "method"),
+    ];
+    facts_list(&[
         device,
         driver,
         ("Tried", format!("{}, in {duration}", date(&info.started))),
         ("Program", program(&info.program_version, &info.program_git)),
         ("Picture", format!("{} × {} px", info.width, info.height)),
-        (
-            "Corpus",
-            format!(
-                "{}, {}, {}",
-                some(info.causes.len(), "cause"),
-                some(scenes, "scene"),
-                some(info.methods.len(), "method")
-            ),
-        ),
-    ];
-    facts_list(&facts)
-}
-
-/// A number of things.
-fn some(number: usize, what: &str) -> String {
-    let plural = if number == 1 { "" } else { "s" };
-    format!("{} {what}{plural}", count(number as u64))
+        ("Corpus", corpus.join(", ")),
+    ])
 }
 
 /// What a reader must know before the matrix, the gravest first.
 fn banners(run: &StressRun, matrix: &Matrix<'_>) -> Markup {
-    let undeclared = run.undeclared();
-    html! {
-        @if !run.info.complete {
-            div.banner.grave role="note" {
-                p {
-                    strong { "This run is still going, or was interrupted." }
-                    " What follows is what it left."
-                }
-            }
-        }
-        @if undeclared > 0 {
-            div.banner.grave role="note" {
-                p {
-                    strong { (some(undeclared, "undeclared failure")) "." }
-                    " A method is wrong where no limit that it declares says so:"
-                }
-                ul {
-                    @for (index, method) in matrix.methods.iter().enumerate() {
-                        (undeclared_of(matrix, index, method))
-                    }
-                }
-            }
-        } @else if run.info.complete && !run.rows.is_empty() {
-            div.banner.fine role="note" {
-                p {
-                    strong { "No undeclared failures." }
-                    " Wherever a method is wrong, a limit that it declares says so."
-                }
-            }
-        }
-        @if run.info.device.is_software() {
-            div.banner role="note" {
-                p {
-                    strong { "Software device." }
-                    " " (run.info.device.name) " renders on the processor. Where rounding decides, "
-                    "a GPU may fail at other values."
-                }
-            }
-        }
+    let undeclared = run.counts().undeclared;
+    let mut banners = Vec::new();
+    if !run.info.complete {
+        let lead = "This run is still going, or was interrupted.";
+        banners.push(banner("grave", lead, "What follows is what it left.", &[]));
     }
+    if undeclared > 0 {
+        let lead = format!("{}.", number_of(undeclared, "undeclared failure"));
+        let rest = "A method is wrong where no limit that it declares says so:";
+        let methods = matrix.methods.iter().enumerate();
+        let methods = methods.filter_map(|(index, method)| undeclared_of(matrix, index, method));
+        banners.push(banner("grave", &lead, rest, &methods.collect::<Vec<_>>()));
+    } else if run.info.complete && !run.rows.is_empty() {
+        let rest = "Wherever a method is wrong, a limit that it declares says so.";
+        banners.push(banner("fine", "No undeclared failures.", rest, &[]));
+    }
+    if run.info.device.is_software() {
+        let rest = format!(
+            "{} renders on the processor. Where rounding decides, a GPU may fail at other values.",
+            run.info.device.name
+        );
+        banners.push(banner("", "Software device.", &rest, &[]));
+    }
+    html! { @for banner in banners { (banner) } }
 }
 
 /// The causes that bring a method down undeclared, with the first such value.
-fn undeclared_of(matrix: &Matrix<'_>, index: usize, method: &StressMethod) -> Markup {
-    let found: Vec<_> = matrix
-        .lines
-        .iter()
-        .filter_map(|line| {
-            let row = line.cells[index].failure()?.undeclared?;
-            Some((line, short(row.value)))
-        })
-        .collect();
-    html! {
-        @if !found.is_empty() {
-            li {
-                code { (method.name()) } ": "
-                @for (place, (line, value)) in found.iter().enumerate() {
-                    @if place > 0 { ", " }
-                    a href={ "#" (failure_id(line, index)) } { (line.cause.id) " at " (value) }
-                }
-            }
+fn undeclared_of(matrix: &Matrix<'_>, index: usize, method: &StressMethod) -> Option<Markup> {
+    let found = matrix.lines.iter().filter_map(|line| {
+        let row = line.cells[index].failure()?.undeclared?;
+        Some((line, short(row.value)))
+    });
+    let found: Vec<(&Line<'_>, String)> = found.collect();
+    let list = html! {
+        code { (method.name()) } ": "
+        @for (place, (line, value)) in found.iter().enumerate() {
+            @if place > 0 { ", " }
+            a href={ "#" (failure_id(line, index)) } { (line.cause.id) " at " (value) }
         }
-    }
+    };
+    (!found.is_empty()).then_some(list)
 }
 
-fn origin(run: &StressRun) -> Markup {
+fn origin(run: &StressRun) -> Section {
     let info = &run.info;
-    let origin = provenance::Origin {
+    let origin = Origin {
+        warnings: &run.warnings,
         command: &info.command,
         started: &info.started,
         program_version: &info.program_version,
@@ -144,42 +116,24 @@ fn origin(run: &StressRun) -> Markup {
         seed: info.seed,
         shader_hash: &info.shader_hash,
         format: info.format,
+        config_path: &info.config_path,
+        config_text: &info.config_text,
     };
-    html! {
-        section #provenance {
-            h2 { "Provenance" }
-            (provenance::warnings(&run.warnings))
-            (provenance::settings(&origin))
-            h3 { "Methods" }
-            (methods(&info.methods))
-            (provenance::configuration(&info.config_path, &info.config_text))
-        }
-    }
-}
-
-fn methods(methods: &[StressMethod]) -> Markup {
-    html! {
-        div.scroll tabindex="0" role="region" aria-label="Methods" {
-            table {
-                thead {
-                    tr {
-                        th.text scope="col" { "Method" }
-                        th.text scope="col" { "Parameters that are not at their defaults" }
-                        th scope="col" { "Tolerated share of wrong pixels" }
-                    }
-                }
-                tbody {
-                    @for method in methods {
-                        tr {
-                            th.text scope="row" { code { (method.id) } }
-                            td.text { (method.variant.replace(',', ", ")) }
-                            td { (short(method.tolerated_share)) }
-                        }
-                    }
-                }
-            }
-        }
-    }
+    let columns = [
+        Column::heads("Method", "text"),
+        Column::text("Parameters that are not at their defaults"),
+        Column::number("Tolerated share of wrong pixels"),
+    ];
+    let methods = info.methods.iter().map(|method| {
+        let variant = method.variant.as_str().replace(',', ", ");
+        [
+            Cell::code(&method.id),
+            variant.into(),
+            short(method.tolerated_share).into(),
+        ]
+    });
+    let methods = Table::new("Methods", columns).extend(methods);
+    origin.section(&html! { h3 { "Methods" } (methods.html()) })
 }
 
 /// The id of a cause's section.
@@ -200,10 +154,4 @@ fn breakable(name: &str) -> Markup {
             @if part.ends_with(['_', '=']) { (PreEscaped("<wbr>")) }
         }
     }
-}
-
-/// The value at which a failure begins, marked if no limit declares it.
-fn first_value(failure: &Failure<'_>) -> String {
-    let mark = if failure.begins_undeclared() { "!" } else { "" };
-    format!("{}{mark}", short(failure.first.value))
 }

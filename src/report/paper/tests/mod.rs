@@ -1,68 +1,82 @@
 //! Tables and ledger over the published numbers and over made-up runs.
 
-use super::spec::{Place, Point, Series};
-use super::{Paper, published};
+use super::Paper;
+use super::numbers;
+use super::published::{Publication, papers};
+use super::sheet::{Point, Sheet};
 use crate::record::{Cell, Summary};
 use crate::report::fixture::{info, paper_row};
 use crate::report::groups::group;
 use crate::report::load::Run;
+use crate::variant::Variant;
 
 mod ledger;
+mod second;
 mod tables;
 
+fn milet() -> &'static Publication {
+    let found = papers()
+        .unwrap()
+        .iter()
+        .find(|paper| paper.prefix.is_empty());
+    found.unwrap()
+}
+
+fn milet_sheets() -> Vec<Sheet> {
+    numbers::sheets(milet()).unwrap()
+}
+
 /// Where the cell of a series at a point is measured.
-fn place(series: &Series, point: Point) -> Cell {
-    let (scene, triangles, objects) = match point {
-        Point::Triangles(triangles) => ("sphere_grid_n1", triangles, 100),
-        Point::Objects(objects) => ("sphere_objects_1x1_n1", 983_756, objects),
-        Point::Scene(Place::Spheres4M) => ("sphere_grid_n200", 4_000_000, 100),
-        Point::Scene(Place::Sponza) => ("sponza", 262_267, 381),
+fn place(series: &str, point: &Point) -> Cell {
+    let (scene, triangles, objects) = match (point.id.as_str(), point.at.objects, point.number) {
+        ("spheres_4m", ..) => ("sphere_grid_n200", 4_000_000, 100),
+        ("sponza", ..) => ("sponza", 262_267, 381),
+        (_, Some(100), Some(triangles)) if point.at.scene_prefix == "sphere_grid" => {
+            ("sphere_grid_n1", triangles, 100)
+        }
+        (_, Some(objects), _) => ("sphere_objects_1x1_n1", 983_756, objects),
+        _ => panic!("{point:?}"),
     };
-    let consistent = series.determinism == "consistent_triangle";
+    let consistent = series.ends_with("consistent_triangle");
     Cell {
         scene: scene.to_owned(),
         triangles: Some(triangles),
         objects: Some(objects),
-        method: series.method.to_owned(),
+        method: milet().series[series].method.clone(),
         variant: if consistent {
-            "determinism=consistent_triangle".to_owned()
+            "determinism=consistent_triangle".parse().unwrap()
         } else {
-            String::new()
+            Variant::default()
         },
         width: info(&[], &[]).width,
         height: info(&[], &[]).height,
-        counters: String::new(),
+        counters: Vec::new(),
     }
 }
 
 /// Rows with the numbers of a published device, as `change` changes them; `None` leaves one out.
-fn rows_like(device: &str, change: impl Fn(u8, &str, Point, f64) -> Option<f64>) -> Vec<Summary> {
+fn rows_like(device: &str, change: impl Fn(u8, &str, &Point, f64) -> Option<f64>) -> Vec<Summary> {
     let mut rows: Vec<Summary> = Vec::new();
-    for sheet in published::sheets().unwrap() {
+    for sheet in milet_sheets() {
         let column = sheet.columns.iter().find(|c| c.device == device).unwrap();
         for (series, what) in sheet.spec.series.iter().enumerate() {
             for (at, point) in sheet.points.iter().enumerate() {
-                let cell = column.cell(series, at);
-                let fps = cell.and_then(|c| change(sheet.spec.number, what.id, *point, c.fps));
-                let cell = place(what, *point);
-                let known = |row: &Summary| {
-                    (
-                        &row.scene,
-                        row.triangles,
-                        row.objects,
-                        &row.method,
-                        &row.variant,
-                    ) == (
-                        &cell.scene,
-                        cell.triangles,
-                        cell.objects,
-                        &cell.method,
-                        &cell.variant,
-                    )
+                let value = column.value(series, at);
+                let fps = value.and_then(|v| change(sheet.spec.number, what, point, v.value));
+                let cell = place(what, point);
+                let key = |row: &Summary| {
+                    let Summary {
+                        scene,
+                        triangles,
+                        objects,
+                        method,
+                        variant,
+                        ..
+                    } = row.clone();
+                    (scene, triangles, objects, method, variant)
                 };
-                if let (Some(fps), false) = (fps, rows.iter().any(known)) {
-                    rows.push(paper_row(&cell, fps, Some(0)));
-                }
+                let new = fps.map(|fps| paper_row(&cell, fps, Some(0)));
+                rows.extend(new.filter(|new| rows.iter().all(|row| key(row) != key(new))));
             }
         }
     }
@@ -70,7 +84,6 @@ fn rows_like(device: &str, change: impl Fn(u8, &str, Point, f64) -> Option<f64>)
 }
 
 fn compare(runs: &[Run]) -> Paper {
-    Paper::compare(&group(runs, false).unwrap())
-        .unwrap()
-        .unwrap()
+    let groups = group(runs, false).unwrap();
+    Paper::compare(milet(), &groups).unwrap().unwrap()
 }

@@ -1,17 +1,28 @@
 //! The tables' cells.
 
-use super::{compare, place, rows_like};
+use super::{compare, milet, milet_sheets, place, rows_like};
 use crate::record::{Cell, Summary};
 use crate::report::fixture::{paper_row, paper_run};
-use crate::report::paper::published;
-use crate::report::paper::sheet::{Mask, Sheet};
-use crate::report::paper::spec::{Place, Point};
+use crate::report::paper::sheet::{Point, Sheet};
+use crate::report::paper::value::Mask;
+
+/// A point of table 1.
+fn triangles(number: u64) -> Point {
+    let mut point = milet_sheets()[0].points[0].clone();
+    point.number = Some(number);
+    point.at.triangles = Some(number);
+    point
+}
 
 #[test]
 fn the_published_tables_have_all_their_cells() {
-    let sheets = published::sheets().unwrap();
+    let sheets = milet_sheets();
     let shape = |sheet: &Sheet| {
-        let counts: Vec<usize> = sheet.columns.iter().map(|column| column.count()).collect();
+        let counts: Vec<usize> = sheet
+            .columns
+            .iter()
+            .map(|column| column.all().count())
+            .collect();
         (sheet.points.len(), sheet.spec.series.len(), counts)
     };
     let shapes: Vec<_> = sheets.iter().map(shape).collect();
@@ -29,11 +40,12 @@ fn the_published_tables_have_all_their_cells() {
 
 #[test]
 fn cells_are_bold_marked_or_missing() {
-    let sheets = published::sheets().unwrap();
-    let [consistent, edge, gs, _] = sheets[0].spec.series else {
-        panic!("four series")
-    };
-    let at = |series, triangles| place(series, Point::Triangles(triangles));
+    let at = |series, number| place(series, &triangles(number));
+    let [consistent, edge, gs] = [
+        "ts_consistent_triangle",
+        "ts_reference_edge",
+        "gs_consistent_triangle",
+    ];
     let mut cut_short = paper_row(&at(gs, 67_600), 70.0, Some(0));
     cut_short.frames = 2;
     let other_count = Cell {
@@ -94,12 +106,10 @@ fn cells_are_bold_marked_or_missing() {
 
 #[test]
 fn a_series_has_one_variant_the_first_of_the_run_that_was_measured() {
-    let sheets = published::sheets().unwrap();
-    let edge = &sheets[0].spec.series[1];
-    let with = |variant: &str, triangles, fps| {
+    let with = |variant: &str, number, fps| {
         let cell = Cell {
-            variant: variant.to_owned(),
-            ..place(edge, Point::Triangles(triangles))
+            variant: variant.parse().unwrap(),
+            ..place("ts_reference_edge", &triangles(number))
         };
         paper_row(&cell, fps, Some(0))
     };
@@ -111,9 +121,9 @@ fn a_series_has_one_variant_the_first_of_the_run_that_was_measured() {
     ];
     let paper = compare(&[paper_run("run", "A GPU", &rows)]);
     let column = paper.sheets[0].columns.last().unwrap();
-    assert_eq!(column.variants[1], "input=storage");
-    assert_eq!(column.cell(1, 0).unwrap().fps.round(), 2.0);
-    assert_eq!(column.cell(1, 1), None);
+    assert_eq!(column.variants[1].as_str(), "input=storage");
+    assert_eq!(column.value(1, 0).unwrap().value.round(), 2.0);
+    assert_eq!(column.value(1, 1), None);
     let notes = paper.sheets[0].notes().join("\n");
     assert!(
         notes.contains("A GPU: TS reference edge with input=storage."),
@@ -123,26 +133,32 @@ fn a_series_has_one_variant_the_first_of_the_run_that_was_measured() {
 
 #[test]
 fn only_the_8k_map_and_a_million_triangles_are_the_papers() {
-    let sheets = published::sheets().unwrap();
-    let map = &sheets[2].spec.series[1];
-    assert!(map.is("shadow_map", "slope_bias=3"));
-    assert!(map.is("shadow_map", "resolution=8192"));
-    assert!(!map.is("shadow_map", "resolution=2048,slope_bias=3"));
-    let cube = &sheets[3].spec.series[5];
-    assert!(cube.is("cube_shadow_map", "resolution=1024") && !cube.in_paper);
+    let map = &milet().series["shadow_map_8k"];
+    assert!(map.is("shadow_map", &"slope_bias=3".parse().unwrap()));
+    assert!(map.is("shadow_map", &"resolution=8192".parse().unwrap()));
+    assert!(!map.is(
+        "shadow_map",
+        &"resolution=2048,slope_bias=3".parse().unwrap()
+    ));
+    let cube = &milet().series["cube_shadow_map"];
+    assert!(cube.is("cube_shadow_map", &"resolution=1024".parse().unwrap()) && !cube.in_paper);
 
-    let edge = &sheets[1].spec.series[1];
+    let sheets = milet_sheets();
+    let point = sheets[1]
+        .points
+        .iter()
+        .find(|point| point.id == "25")
+        .unwrap();
     let row = |triangles, objects| {
         let cell = Cell {
             triangles: Some(triangles),
             objects: Some(objects),
-            ..place(edge, Point::Objects(25))
+            ..place("ts_reference_edge", point)
         };
         paper_row(&cell, 1.0, None)
     };
-    let point = Point::Objects(25);
-    assert!(point.holds(&row(980_000, 25)));
-    assert!(!point.holds(&row(40_000, 25)) && !point.holds(&row(980_000, 64)));
+    assert!(point.at.holds(&row(980_000, 25)));
+    assert!(!point.at.holds(&row(40_000, 25)) && !point.at.holds(&row(980_000, 64)));
 }
 
 #[test]
@@ -182,16 +198,16 @@ fn the_numbers_of_a_table_come_from_the_fullest_run_and_of_equals_from_the_lates
 
 #[test]
 fn runs_that_share_no_cell_of_a_table_complete_each_other() {
-    let scene = |wanted: Place| {
-        rows_like("GTX 680", move |table, _, point, fps| {
-            (table == 4 && point == Point::Scene(wanted)).then_some(fps)
+    let scene = |wanted: &str| {
+        rows_like("GTX 680", |table, _, point, fps| {
+            (table == 4 && point.id == wanted).then_some(fps)
         })
     };
-    let spheres = paper_run("spheres", "A GPU", &scene(Place::Spheres4M));
-    let sponza = paper_run("sponza", "A GPU", &scene(Place::Sponza));
+    let spheres = paper_run("spheres", "A GPU", &scene("spheres_4m"));
+    let sponza = paper_run("sponza", "A GPU", &scene("sponza"));
     let paper = compare(&[sponza.clone(), spheres.clone()]);
     let column = paper.sheets[0].columns.last().unwrap();
-    assert_eq!((column.count(), column.runs.len()), (9, 2));
+    assert_eq!((column.all().count(), column.runs.len()), (9, 2));
     let csv = paper.sheets[0].csv().unwrap();
     assert_eq!(csv.matches(",spheres\n").count(), 5, "{csv}");
     assert_eq!(csv.matches(",sponza\n").count(), 4, "{csv}");
@@ -200,7 +216,7 @@ fn runs_that_share_no_cell_of_a_table_complete_each_other() {
 
     let mut other = sponza;
     for row in &mut other.summaries {
-        row.variant = "slope_bias=9".to_owned();
+        row.variant = "slope_bias=9".parse().unwrap();
     }
     let paper = compare(&[other, spheres]);
     let column = paper.sheets[0].columns.last().unwrap();
@@ -209,13 +225,32 @@ fn runs_that_share_no_cell_of_a_table_complete_each_other() {
 
 #[test]
 fn a_published_value_is_never_doubted() {
-    let sheets = published::sheets().unwrap();
+    let sheets = milet_sheets();
     let cells = sheets.iter().flat_map(|sheet| &sheet.columns);
-    let mut cells = cells.flat_map(|column| column.cells.iter().flatten().flatten());
-    assert!(cells.all(|cell| cell.mask == Mask::Published));
+    assert!(
+        cells
+            .flat_map(|column| column.all())
+            .all(|cell| cell.mask == Mask::Published)
+    );
     let line = sheets[1].markdown();
     assert!(
         line.contains("10.12") && line.contains("| 15,600"),
         "{line}"
     );
+}
+
+#[test]
+fn a_table_of_every_layout() {
+    let rows = rows_like("GTX 680", |table, _, point, fps| {
+        let kept = table != 2 || point.number.is_some_and(|objects| objects < 25);
+        kept.then_some(fps * 2.0)
+    });
+    let paper = compare(&[paper_run("run", "A GPU", &rows)]);
+    for sheet in &paper.sheets[1..] {
+        let table = format!("table{}", sheet.spec.number);
+        insta::assert_snapshot!(format!("{table}_markdown"), sheet.markdown());
+        insta::assert_snapshot!(format!("{table}_csv"), sheet.csv().unwrap());
+    }
+    let html = paper.sheets[2].table().html().into_string();
+    insta::assert_snapshot!("table4_html", html.replace("><", ">\n<"));
 }

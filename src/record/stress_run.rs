@@ -1,8 +1,8 @@
 //! A stress run, read back from its directory.
 
-use crate::record::check_files;
-use crate::record::read::{Head, read_head, read_lines};
-use crate::record::stress::{FORMAT, ROWS_FILE, STRESS_FILE, StressInfo, StressRow};
+use super::check_files;
+use super::read::{Head, read_head, read_lines};
+use super::stress::{FORMAT, ROWS_FILE, STRESS_FILE, StressInfo, StressMethod, StressRow};
 use anyhow::{Result, bail};
 use std::path::{Path, PathBuf};
 
@@ -53,11 +53,10 @@ impl StressRun {
 
 /// What is wrong with a row, if anything is.
 fn fault(info: &StressInfo, row: &StressRow) -> Option<String> {
-    let is_method = |(id, variant): (&str, &str)| row.method == id && row.variant == variant;
-    let mut methods = info.methods.iter().map(|m| (&*m.id, &*m.variant));
+    let is_method = |m: &StressMethod| m.id == row.method && m.variant == row.variant;
     if !info.causes.iter().any(|cause| cause.id == row.cause) {
         Some(format!("{STRESS_FILE} has no cause `{}`", row.cause))
-    } else if !methods.any(is_method) {
+    } else if !info.methods.iter().any(is_method) {
         let name = format!("{} {}", row.method, row.variant);
         Some(format!("{STRESS_FILE} has no method `{}`", name.trim_end()))
     } else if row.picture.contains(['/', '\\', ':']) || row.picture.starts_with('.') {
