@@ -4,6 +4,10 @@
 //! here and nowhere else. All of a run can be read back from its directory; the report needs no
 //! device, no scene and no model.
 //!
+//! Tables are tidy: a field has one number. For example, the milliseconds of a frame's two stages are two rows of
+//! `stages.csv` with the same cell and frame, so that any program that reads CSV can sum or plot them, and a new stage
+//! or metric adds rows and changes no reader.
+//!
 //! | file | holds |
 //! |---|---|
 //! | `run.json` | [`RunInfo`]: where the numbers come from |

@@ -31,7 +31,7 @@ pub struct Sample {
     pub time_s: f64,
     /// Position of this frame in the order in which its scene's frames were drawn, warm-up included.
     pub order: u64,
-    /// All of the frame on the device, in milliseconds.
+    /// The frame's critical path over both clocks, in milliseconds.
     pub frame_ms: f64,
     /// The G-buffer.
     pub gbuffer_ms: f64,
