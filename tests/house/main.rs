@@ -39,10 +39,6 @@ const KNOWN_UPWARD: &[(&str, &str)] = &[];
 const KNOWN_CIRCLES: &[&str] = &[
     "gpu: adapter, device",
     "gpu: recorder, stage, timer",
-    "report: curve, load",
-    "report: html, stability",
-    "report::paper: check, judge",
-    "report::plots: sample_row, scatter",
     "scene: file, wire",
 ];
 
@@ -50,10 +46,8 @@ const KNOWN_CIRCLES: &[&str] = &[
 const KNOWN_LONG_FUNCTIONS: &[&str] = &[
     "cli::render::execute",
     "gpu::native::bindings::new",
-    "gpu::native::open::open_vulkan",
     "gpu::native::pipeline::create",
     "methods::frustum::around",
-    "report::plots::errors_by_parameter::chart",
     "scene::obj_text::other_kind",
 ];
 
