@@ -51,11 +51,11 @@ pub use info::{
     SweepRecord,
 };
 pub use pairs::{pairs_from_text, pairs_to_text};
-pub use rows::{Cell, Sample, Summary, summary_records};
+pub use rows::{Cell, Sample, StageMs, Summary, summary_records};
 pub use run::Run;
 pub(crate) use run::unique;
 pub use run_dir::new_directory;
-pub use stage_rows::{StageMs, StageRow, stage_rows};
+pub use stage_rows::{StageRow, stage_rows};
 pub use stress_run::StressRun;
 pub use verified_frame::{MetricRow, VerifiedFrame, metric_rows};
 

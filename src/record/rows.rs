@@ -3,10 +3,21 @@
 use crate::variant::Variant;
 use serde::{Deserialize, Serialize};
 
-use super::{StageMs, Status, VerifiedFrame};
+use super::{Status, VerifiedFrame};
 use crate::metrics::{METRICS, MetricValues};
 use crate::record::statistics::{mean, median, p95};
 use crate::table;
+
+/// How long a stage of a method took in one frame.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct StageMs {
+    /// Its name.
+    pub stage: String,
+    /// On the device, in milliseconds.
+    pub device_ms: f64,
+    /// On the processor, in milliseconds.
+    pub cpu_ms: f64,
+}
 
 /// One measured frame: a row of `samples.csv`.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
