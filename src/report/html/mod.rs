@@ -39,7 +39,7 @@ pub fn page(
         title => title,
     };
     let gallery = gallery::section(run, clouds, legend)?;
-    let (pareto, plots): (Vec<&Plot>, Vec<&Plot>) = plots.iter().partition(|plot| plot.is_pareto());
+    let (pareto, plots): (Vec<&Plot>, Vec<&Plot>) = plots.iter().partition(|plot| plot.is_pareto);
     let mut sections = vec![results::section(run)];
     sections.extend(pareto::section(run, clouds, &pareto));
     sections.extend(errors::section(run, gallery.is_some()));

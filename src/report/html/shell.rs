@@ -143,7 +143,7 @@ pub(super) fn figures(plots: &[&Plot]) -> Markup {
         div.plots {
             @for plot in plots {
                 @let alt = format!("Plot: {}. The same figures are in the tables.", plot.title);
-                figure.plot.large[plot.is_pareto()] {
+                figure.plot.large[plot.is_pareto] {
                     div.scroll tabindex="0" role="img" aria-label=(alt) { (PreEscaped(&plot.svg)) }
                 }
             }

@@ -5,7 +5,7 @@ use anyhow::Result;
 use super::axis::Axis;
 use super::canvas::{self, CENTER, Canvas, INK, LEFT, MUTED, PAPER, RIGHT, text_width_px};
 use super::frame::{Frame, Room};
-use super::legend::{self, Key};
+use super::legend::{Key, Legend};
 
 use crate::report::curve::Contender;
 
@@ -53,14 +53,14 @@ struct Slots {
 }
 
 impl BarChart {
-    pub(super) fn legend_height_px(&self) -> i32 {
-        legend::height_px(self.keys.iter().map(|(_, contender)| contender))
+    pub(super) fn legend(&self) -> Legend<'_> {
+        Legend::of(&self.keys)
     }
 
     pub(super) fn paint(&self, canvas: &Canvas<'_, '_>) -> Result<()> {
-        let (width, height) = canvas.size();
-        let legend_px = legend::width_px(self.keys.iter().map(|(_, contender)| contender));
-        let (left, right) = (84, width - legend_px);
+        let legend = self.legend();
+        let legend_px = legend.width_px();
+        let (left, right) = (84, canvas.size().0 - legend_px);
         let group_px = (right - left) / i32::try_from(self.groups.len())?.max(1);
         let names: Option<Vec<Vec<String>>> = self
             .groups
@@ -99,9 +99,7 @@ impl BarChart {
         }
         self.paint_bands(canvas, frame, group_px)?;
 
-        let keys = self.keys.iter().map(|(key, contender)| (*key, contender));
-        let entries = legend::from_top(keys, frame.top);
-        legend::paint(canvas, entries, right, (frame.top - 10, height - 10))
+        legend.paint(canvas, (right, frame.top - 10))
     }
 
     /// Names the bands at the top of the frame, with a line between them.

@@ -5,11 +5,9 @@ use plotters::coord::Shift;
 use plotters::element::DashedPathElement;
 use plotters::prelude::{
     Circle, Color, DrawingArea, FontTransform, IntoFont, PathElement, Polygon, RGBColor, Rectangle,
-    TextStyle,
+    SVGBackend, TextStyle,
 };
 use plotters::style::text_anchor::{HPos, Pos, VPos};
-
-use super::backend::Backend;
 
 /// A place on the canvas in pixels, from the top left.
 pub(super) type Px = (i32, i32);
@@ -68,8 +66,8 @@ pub(super) const CENTER: Pos = Pos {
     v_pos: VPos::Center,
 };
 
-/// Where a plot is drawn, in pixels of [`super::backend::Backend`].
-pub(super) struct Canvas<'a, 'b>(pub(super) &'a DrawingArea<Backend<'b>, Shift>);
+/// Where a plot is drawn.
+pub(super) struct Canvas<'a, 'b>(pub(super) &'a DrawingArea<SVGBackend<'b>, Shift>);
 
 impl Canvas<'_, '_> {
     /// Width and height in pixels.

@@ -49,134 +49,56 @@ impl Key {
     }
 }
 
-/// One contender's place in the legend.
-#[derive(Debug)]
-pub(super) struct Entry<'a> {
-    /// What it looks like.
-    pub(super) key: Key,
-    pub(super) contender: &'a Contender,
-    /// The height at which its line ends, in pixels, to which the entry keeps as near as it can.
-    pub(super) wanted_y: i32,
-}
+/// What each line or bar looks like, and whose it is; from the top.
+pub(super) struct Legend<'a>(pub(super) Vec<(Key, &'a Contender)>);
 
-/// The width that a legend of `contenders` needs, in pixels.
-pub(super) fn width_px<'a>(contenders: impl Iterator<Item = &'a Contender>) -> i32 {
-    let text_px = contenders
-        .map(|contender| {
-            text_width_px(&contender.method, NAME_PX)
-                .max(text_width_px(&contender.variant, VARIANT_PX))
-        })
-        .max()
-        .unwrap_or_default();
-    KEY_PX + text_px.min(MAX_TEXT_PX) + 12
-}
-
-/// The height of a plot whose legend has room for all of `contenders`, in pixels.
-pub(super) fn height_px<'a>(contenders: impl Iterator<Item = &'a Contender>) -> i32 {
-    let (mut entries, mut two_lines) = (0, false);
-    for contender in contenders {
-        entries += 1;
-        two_lines |= !contender.variant.is_empty();
+impl<'a> Legend<'a> {
+    pub(super) fn of(keys: &'a [(Key, Contender)]) -> Self {
+        Self(keys.iter().map(|(key, name)| (*key, name)).collect())
     }
-    entries * gap_px(two_lines) + 60
-}
 
-/// From one entry to the next.
-fn gap_px(two_lines: bool) -> i32 {
-    if two_lines { 36 } else { 22 }
-}
+    pub(super) fn width_px(&self) -> i32 {
+        let texts = self
+            .0
+            .iter()
+            .flat_map(|(_, Contender { method, variant })| {
+                [(method, NAME_PX), (variant, VARIANT_PX)]
+            });
+        let text_px = texts
+            .map(|(text, size_px)| text_width_px(text, size_px))
+            .max();
+        KEY_PX + text_px.unwrap_or_default().min(MAX_TEXT_PX) + 12
+    }
 
-/// Entries one below the other from `top`, in their order.
-pub(super) fn from_top<'a>(
-    keys: impl Iterator<Item = (Key, &'a Contender)>,
-    top: i32,
-) -> Vec<Entry<'a>> {
-    keys.enumerate()
-        .map(|(index, (key, contender))| Entry {
-            key,
-            contender,
-            wanted_y: top + index as i32,
-        })
-        .collect()
-}
+    /// The height of a plot that has room for it.
+    pub(super) fn height_px(&self) -> i32 {
+        self.0.len() as i32 * self.pitch_px() + 60
+    }
 
-/// Draws the legend at `left`, between `top` and `bottom`.
-pub(super) fn paint(
-    canvas: &Canvas<'_, '_>,
-    mut entries: Vec<Entry<'_>>,
-    left: i32,
-    (top, bottom): (i32, i32),
-) -> Result<()> {
-    entries.sort_by_key(|entry| entry.wanted_y);
-    let two_lines = entries
-        .iter()
-        .any(|entry| !entry.contender.variant.is_empty());
-    let wanted: Vec<i32> = entries.iter().map(|entry| entry.wanted_y).collect();
-    let places = spread(&wanted, gap_px(two_lines), (top, bottom));
-    for (entry, y) in entries.iter().zip(places) {
-        let sample = vec![(left + 12, y), (left + KEY_PX - 8, y)];
-        entry.key.line(canvas, sample)?;
-        entry.key.marker(canvas, (left + KEY_PX / 2 + 2, y))?;
-        let text_x = left + KEY_PX;
-        let Contender { method, variant } = entry.contender;
-        let name_y = if variant.is_empty() { y } else { y - 7 };
-        canvas.text(
-            &fitted(method, NAME_PX),
-            (text_x, name_y),
-            NAME_PX,
-            INK,
-            LEFT,
-        )?;
-        if !variant.is_empty() {
-            let at = (text_x, y + 9);
-            canvas.text(&fitted(variant, VARIANT_PX), at, VARIANT_PX, MUTED, LEFT)?;
+    /// From one entry to the next.
+    fn pitch_px(&self) -> i32 {
+        let has_two_lines = self.0.iter().any(|(_, name)| !name.variant.is_empty());
+        if has_two_lines { 36 } else { 22 }
+    }
+
+    pub(super) fn paint(&self, canvas: &Canvas<'_, '_>, (left, top): Px) -> Result<()> {
+        let (pitch_px, text_x) = (self.pitch_px(), left + KEY_PX);
+        for (index, (key, Contender { method, variant })) in self.0.iter().enumerate() {
+            let y = top + pitch_px / 2 + index as i32 * pitch_px;
+            key.line(canvas, vec![(left + 12, y), (text_x - 8, y)])?;
+            key.marker(canvas, (left + KEY_PX / 2 + 2, y))?;
+            let name_y = if variant.is_empty() { y } else { y - 7 };
+            let method = fitted(method, NAME_PX);
+            canvas.text(&method, (text_x, name_y), NAME_PX, INK, LEFT)?;
+            if !variant.is_empty() {
+                let variant = fitted(variant, VARIANT_PX);
+                canvas.text(&variant, (text_x, y + 9), VARIANT_PX, MUTED, LEFT)?;
+            }
         }
+        Ok(())
     }
-    Ok(())
 }
 
 fn fitted(text: &str, size_px: i32) -> String {
     canvas::shortened(text, (MAX_TEXT_PX / text_width_px("n", size_px)) as usize)
-}
-
-/// Places near `wanted` (ascending) that keep `gap` apart and lie between `top` and `bottom`, as far
-/// as they fit.
-fn spread(wanted: &[i32], gap: i32, (top, bottom): (i32, i32)) -> Vec<i32> {
-    let fitting = (bottom - top) / i32::try_from(wanted.len()).unwrap_or(i32::MAX).max(1);
-    let gap = gap.min(fitting);
-    let mut places = wanted.to_vec();
-    let mut lowest = top + gap / 2;
-    for place in &mut places {
-        *place = (*place).max(lowest);
-        lowest = *place + gap;
-    }
-    let mut highest = bottom - gap / 2;
-    for place in places.iter_mut().rev() {
-        *place = (*place).min(highest);
-        highest = *place - gap;
-    }
-    places
-}
-
-#[cfg(test)]
-mod tests {
-    use super::spread;
-
-    #[test]
-    fn entries_keep_their_place_where_there_is_room() {
-        assert_eq!(spread(&[100, 200, 300], 20, (0, 400)), [100, 200, 300]);
-    }
-
-    #[test]
-    fn entries_that_would_overlap_are_moved_apart_within_the_bounds() {
-        assert_eq!(spread(&[100, 101, 102], 20, (0, 400)), [100, 120, 140]);
-        assert_eq!(spread(&[399, 400], 20, (0, 400)), [370, 390]);
-        assert_eq!(spread(&[-5, 0], 20, (0, 400)), [10, 30]);
-    }
-
-    #[test]
-    fn too_many_entries_share_the_room() {
-        let places = spread(&[50; 10], 36, (0, 100));
-        assert!(places.iter().all(|y| (0..=100).contains(y)), "{places:?}");
-    }
 }

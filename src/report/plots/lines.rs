@@ -1,11 +1,11 @@
-//! Line charts: a line per contender, named at its end, or in a legend from the top.
+//! Line charts: a line per contender.
 
 use anyhow::Result;
 
 use super::axis::Axis;
 use super::canvas::{Canvas, Px};
 use super::frame::{Frame, Room};
-use super::legend::{self, Entry, Key};
+use super::legend::{Key, Legend};
 use crate::report::curve::Contender;
 
 /// Markers on a line with more points than this are thinned out to about this number.
@@ -32,53 +32,34 @@ pub(super) struct Line {
 }
 
 impl LineChart {
-    /// Whom the legend names.
-    fn named(&self) -> Vec<&Contender> {
-        if self.keys.is_empty() {
-            self.lines.iter().map(|line| &line.contender).collect()
-        } else {
-            self.keys.iter().map(|(_, contender)| contender).collect()
+    /// Without keys of its own, the lines from top to bottom as they end.
+    pub(super) fn legend(&self) -> Legend<'_> {
+        if !self.keys.is_empty() {
+            return Legend::of(&self.keys);
         }
-    }
-
-    pub(super) fn legend_height_px(&self) -> i32 {
-        legend::height_px(self.named().into_iter())
+        let end = |line: &Line| line.points.last().map_or(0.0, |point| point.1);
+        let mut lines: Vec<&Line> = self.lines.iter().collect();
+        lines.sort_by(|a, b| end(b).total_cmp(&end(a)));
+        Legend(
+            lines
+                .iter()
+                .map(|line| (line.key, &line.contender))
+                .collect(),
+        )
     }
 
     pub(super) fn paint(&self, canvas: &Canvas<'_, '_>) -> Result<()> {
-        let (_, height) = canvas.size();
-        let legend_px = legend::width_px(self.named().into_iter());
+        let legend = self.legend();
         let room = Room {
             top: 52,
-            right: legend_px,
+            right: legend.width_px(),
             bottom: 62,
         };
         let frame = &Frame::paint(canvas, &self.x, &self.y, room)?;
         for line in &self.lines {
             self.paint_line(canvas, frame, line)?;
         }
-        let entries = if self.keys.is_empty() {
-            self.entries_at_ends(frame)
-        } else {
-            legend::from_top(
-                self.keys.iter().map(|(key, contender)| (*key, contender)),
-                frame.top,
-            )
-        };
-        legend::paint(canvas, entries, frame.right, (frame.top - 10, height - 10))
-    }
-
-    fn entries_at_ends(&self, frame: &Frame) -> Vec<Entry<'_>> {
-        let entries = self.lines.iter().filter_map(|line| {
-            let (_, end) = line.points.last()?;
-            let wanted_y = frame.place((0.0, *end)).1;
-            Some(Entry {
-                key: line.key,
-                contender: &line.contender,
-                wanted_y,
-            })
-        });
-        entries.collect()
+        legend.paint(canvas, (frame.right, frame.top - 10))
     }
 
     fn paint_line(&self, canvas: &Canvas<'_, '_>, frame: &Frame, line: &Line) -> Result<()> {

@@ -1,24 +1,25 @@
-//! Plots of a run, each drawn by one function onto an SVG and onto a PNG.
+//! Plots of a run: each is drawn as an SVG, and its PNG is that SVG in pixels.
 //!
 //! One plot a file: `pareto`, `errors_by_parameter`, `shadow_time_by_triangles`, `flight`, `shadow_time_by_scene`, `paper`.
 //! These choose the data; `scatter`, `lines` and `bars` draw it.
 
 use std::path::Path;
-use std::sync::Once;
+use std::sync::{LazyLock, Once};
 
 use anyhow::{Context as _, Result};
-use plotters::prelude::{BitMapBackend, FontStyle, IntoDrawingArea, SVGBackend};
+use plotters::prelude::{FontStyle, IntoDrawingArea, SVGBackend};
 use plotters::style::register_font;
+use resvg::tiny_skia::{Pixmap, Transform};
+use resvg::usvg::{Options, Tree};
 
 use super::load::Run;
 use super::paper::{Paper, figure_names};
 use super::pareto::Cloud;
 use crate::output::{self, remove_stale, write_atomically};
 use crate::record::Image;
-use backend::{Backend, PNG_SCALE};
+use canvas::Canvas;
 
 mod axis;
-mod backend;
 mod bars;
 mod canvas;
 mod chosen;
@@ -40,9 +41,11 @@ pub const PLOTS_DIR: &str = "plots";
 /// How the names of plots begin that depend on the scenes of a run.
 const SCENE_PLOT_PREFIXES: [&str; 2] = [pareto::PREFIX, errors_by_parameter::PREFIX];
 
-/// Size of a plot in pixels, in which everything on it is placed; but scatter charts are larger, and
-/// those with more in their legends higher.
+/// Size of a plot in pixels; scatter charts are larger, and charts with long legends higher.
 const SIZE_PX: (u32, u32) = (900, 560);
+
+/// Pixels of a PNG for each of a plot: small text needs them.
+const PNG_SCALE: u32 = 2;
 
 /// One plot of a run.
 #[derive(Debug)]
@@ -53,10 +56,18 @@ pub struct Plot {
     pub title: String,
     /// The plot as an SVG document.
     pub svg: String,
+    /// Whether it shows accuracy against speed.
+    pub is_pareto: bool,
+}
+
+/// A chart with its name and title, before it is drawn.
+#[derive(Debug)]
+struct Figure {
+    name: String,
+    title: String,
     chart: Chart,
 }
 
-/// What is drawn, before it is drawn.
 #[derive(Debug)]
 enum Chart {
     Lines(lines::LineChart),
@@ -67,36 +78,20 @@ enum Chart {
 impl Chart {
     fn size_px(&self) -> (u32, u32) {
         let legend_px = match self {
-            Self::Lines(chart) => chart.legend_height_px(),
-            Self::Bars(chart) => chart.legend_height_px(),
+            Self::Lines(chart) => chart.legend().height_px(),
+            Self::Bars(chart) => chart.legend().height_px(),
             Self::Scatter(_) => return scatter::SIZE_PX,
         };
         (SIZE_PX.0, SIZE_PX.1.max(legend_px.unsigned_abs()))
     }
-}
 
-impl Chart {
-    fn paint(&self, name: &str, title: &str, backend: Backend<'_>) -> Result<()> {
-        install_font();
-        let area = backend.into_drawing_area();
-        area.fill(&canvas::PAPER)?;
-        let canvas = &canvas::Canvas(&area);
-        let painted = canvas.title(title).and_then(|()| match self {
+    fn paint(&self, canvas: &Canvas<'_, '_>) -> Result<()> {
+        match self {
             Self::Lines(chart) => chart.paint(canvas),
             Self::Bars(chart) => chart.paint(canvas),
             Self::Scatter(chart) => chart.paint(canvas),
-        });
-        painted.with_context(|| format!("cannot draw the plot {name}"))?;
-        Ok(area.present()?)
+        }
     }
-}
-
-/// A chart with its name and title.
-#[derive(Debug)]
-struct Figure {
-    name: String,
-    title: String,
-    chart: Chart,
 }
 
 /// Every plot that the run has data for.
@@ -151,35 +146,58 @@ pub(super) fn write(dir: &Path, plots: &[Plot]) -> Result<()> {
 
 impl Plot {
     fn new(Figure { name, title, chart }: Figure) -> Result<Self> {
+        install_font();
         let mut svg = String::new();
-        let backend = Backend::Svg(SVGBackend::with_string(&mut svg, chart.size_px()));
-        chart.paint(&name, &title, backend)?;
+        let area = SVGBackend::with_string(&mut svg, chart.size_px()).into_drawing_area();
+        area.fill(&canvas::PAPER)?;
+        let canvas = Canvas(&area);
+        let painted = canvas.title(&title).and_then(|()| chart.paint(&canvas));
+        painted.with_context(|| format!("cannot draw the plot {name}"))?;
+        area.present()?;
+        drop(area);
+        let is_pareto = matches!(chart, Chart::Scatter(_));
         Ok(Self {
             name,
             title,
             svg,
-            chart,
+            is_pareto,
         })
-    }
-
-    /// Whether it shows accuracy against speed.
-    pub fn is_pareto(&self) -> bool {
-        matches!(self.chart, Chart::Scatter(_))
     }
 
     /// Writes the plot as a PNG to `path`.
     pub fn write_png(&self, path: &Path) -> Result<()> {
-        let (width, height) = self.chart.size_px();
-        let size_px = (width * PNG_SCALE, height * PNG_SCALE);
-        let mut rgb = vec![0; 3 * size_px.0 as usize * size_px.1 as usize];
-        let backend = Backend::Png(BitMapBackend::with_buffer(&mut rgb, size_px));
-        self.chart.paint(&self.name, &self.title, backend)?;
-        Image::rgb(size_px, &rgb).write_png(path)
+        let unreadable = || format!("cannot draw {} as a PNG", self.name);
+        let tree = Tree::from_str(&self.svg, png_options()).with_context(unreadable)?;
+        let size = tree.size().to_int_size();
+        let (width, height) = (size.width() * PNG_SCALE, size.height() * PNG_SCALE);
+        let mut pixels = Pixmap::new(width, height).with_context(unreadable)?;
+        let scale = Transform::from_scale(PNG_SCALE as f32, PNG_SCALE as f32);
+        resvg::render(&tree, scale, &mut pixels.as_mut());
+        // Plots are opaque, so that there is no alpha to undo.
+        let rgb = pixels
+            .pixels()
+            .iter()
+            .flat_map(|c| [c.red(), c.green(), c.blue()]);
+        Image::rgb((width, height), &rgb.collect::<Vec<u8>>()).write_png(path)
     }
 }
 
-/// Gives plotters the font that comes with the program: a PNG must look alike on every machine, also
-/// on one without fonts.
+/// With the program's own font alone: a PNG looks alike on every machine, also on one without fonts.
+fn png_options() -> &'static Options<'static> {
+    static OPTIONS: LazyLock<Options<'_>> = LazyLock::new(|| {
+        let mut options = Options::default();
+        let fonts = options.fontdb_mut();
+        fonts.load_font_data(epaint_default_fonts::UBUNTU_LIGHT.to_vec());
+        let family = fonts
+            .faces()
+            .find_map(|face| Some(face.families.first()?.0.clone()));
+        fonts.set_sans_serif_family(family.unwrap_or_default());
+        options
+    });
+    &OPTIONS
+}
+
+/// Gives plotters the font by which it measures text.
 fn install_font() {
     static ONCE: Once = Once::new();
     ONCE.call_once(|| {
