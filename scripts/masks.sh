@@ -9,8 +9,8 @@
 #
 #   scripts/masks.sh [--bin SVBENCH] [--size WxH] OUT [CONFIG...]
 #
-# Without --bin it is the program of this checkout, which must be built. CONFIG defaults to those below. Models
-# are found as always (SVBENCH_MODELS); a scene without its model has no masks.
+# Without --bin, the program of this checkout is used, which must be built. CONFIG defaults to those below. Models
+# are searched as by `svbench run` (SVBENCH_MODELS); a scene without its model has no masks.
 set -euo pipefail
 
 fail() {
@@ -44,7 +44,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 export SVBENCH_CACHE=${SVBENCH_CACHE-$work/cache}
 
-# A run keeps the masks of its first verified frame: where that is, is chosen by which frames are verified.
+# A run keeps the masks of its first verified frame; which frames are verified decides where on the flight that is.
 moments=(start middle)
 verified() {
     case $1 in

@@ -126,7 +126,8 @@ need_driver() {
 
 # has_device PROGRAM: whether the program finds a device with all stages.
 has_device() {
-    "$1" list devices --json 2>/dev/null | tr -d ' \n' | grep -q '"tessellation":true,"geometry":true,"unsuitable":null'
+    "$1" list devices --json 2>/dev/null | tr -d ' \n' |
+        grep -q '"tessellation_stage":true,"geometry_stage":true,[^}]*},"unsuitable":null'
 }
 
 # need_device PROGRAM: makes sure that it finds one.

@@ -13,7 +13,7 @@ impl<T, const N: usize> TryFrom<Vec<T>> for Exactly<T, N> {
     fn try_from(elements: Vec<T>) -> Result<Self, String> {
         <[T; N]>::try_from(elements).map(Self).map_err(|elements| {
             let count = elements.len();
-            format!("here belong {N} numbers, not {count}")
+            format!("expected {N} numbers, found {count}")
         })
     }
 }

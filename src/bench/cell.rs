@@ -1,11 +1,10 @@
 //! A method on a scene: one cell of a run's matrix, measured or on the way to it.
 
 use super::executor::Prepared;
-use super::measure::Measured;
 use super::time_limit::TimeLimit;
 use crate::config::{MethodPlan, RunPlan};
 use crate::frame::{DepthSetup, GBUFFER_STAGE, SHADE_STAGE};
-use crate::gpu::StageTime;
+use crate::gpu::{FrameTimes, StageTime};
 use crate::judge::NoPicture;
 use crate::methods::ShadowMethod;
 use crate::record::{
@@ -35,6 +34,26 @@ pub(super) enum State {
     Planned,
     Ready,
     Not(Status, String),
+}
+
+/// A frame that was measured.
+pub(super) struct Measured {
+    /// Number of the frame along the flight.
+    pub frame: u32,
+    /// Its time on the flight.
+    pub time_s: f64,
+    /// Its place in the order in which frames were drawn.
+    pub order: u64,
+    /// Its times.
+    pub times: FrameTimes,
+}
+
+impl Measured {
+    /// What the method adds to a frame: everything but G-buffer and shading.
+    pub(super) fn shadow_ms(&self) -> f64 {
+        let shared = self.times.stage_ms(GBUFFER_STAGE) + self.times.stage_ms(SHADE_STAGE);
+        self.times.frame_ms() - shared
+    }
 }
 
 /// What a cell of this method is called in results.

@@ -94,9 +94,8 @@ pub(super) struct Prepared {
 }
 
 /// What came of a frame that was compared with the truth.
-#[derive(Default)]
 pub(super) struct Verified {
-    /// The comparison.
+    /// The frame and its metrics.
     pub frame: VerifiedFrame,
     /// The largest regions of artifact pixels.
     pub regions: Vec<RegionRow>,

@@ -2,9 +2,8 @@
 //! frame, in an order shuffled anew, so that a drift of the machine hits all alike.
 
 use super::Watched;
-use super::cell::CellRun;
+use super::cell::{CellRun, Measured};
 use super::executor::{Session, sequence};
-use crate::frame::{GBUFFER_STAGE, SHADE_STAGE};
 use crate::gpu::FrameTimes;
 use crate::judge::NoPicture;
 use crate::record::RunDirError;
@@ -14,26 +13,6 @@ use rand::SeedableRng;
 use rand::seq::SliceRandom;
 use rand_chacha::ChaCha8Rng;
 use std::collections::VecDeque;
-
-/// A frame that was measured.
-pub(super) struct Measured {
-    /// Number of the frame along the flight.
-    pub frame: u32,
-    /// Its time on the flight.
-    pub time_s: f64,
-    /// Its place in the order in which frames were drawn.
-    pub order: u64,
-    /// Its times.
-    pub times: FrameTimes,
-}
-
-impl Measured {
-    /// What the method adds to a frame: everything but G-buffer and shading.
-    pub(super) fn shadow_ms(&self) -> f64 {
-        let shared = self.times.stage_ms(GBUFFER_STAGE) + self.times.stage_ms(SHADE_STAGE);
-        self.times.frame_ms() - shared
-    }
-}
 
 #[derive(Clone, Copy)]
 struct Tag {

@@ -1,8 +1,10 @@
 //! Running a plan: load each scene, find biases, prepare its methods, verify their masks, measure them
 //! interleaved, and keep every result as it comes.
 //!
-//! The schedule decides what is done when, and what becomes of a cell that breaks; an [`executor::Executor`] does it,
-//! on a device or, in tests, on none.
+//! The schedule decides what is done when, and what becomes of a cell that breaks. An executor does the
+//! work: `on_gpu` on a device, `stand_in` without one. So faults that no driver produces on demand are tests of some
+//! milliseconds: for example, `schedule_tests` loses the device at a chosen frame, and checks that this cell alone has
+//! failed and that the others have all of their frames.
 
 mod cell;
 mod executor;

@@ -5,6 +5,7 @@ use crate::frame::DepthSetup;
 use crate::gpu::FrameTimes;
 use crate::judge::{NoPicture, Observer};
 use crate::methods::ShadowMethod;
+use crate::metrics::MetricValues;
 use crate::record::{BiasRow, Cell, EdgeRecord, VerifiedFrame};
 use crate::scene::Scene;
 use std::cell::{Cell as Counter, RefCell};
@@ -185,15 +186,19 @@ impl Session for StandInSession<'_> {
         _: Option<Instant>,
     ) -> Result<Verified, NoPicture> {
         self.ask(format!("verify {} {frame}", self.name(index)))?;
-        let frame = VerifiedFrame {
-            scene: cell.scene.clone(),
-            method: cell.method.clone(),
-            frame,
-            ..VerifiedFrame::default()
-        };
         Ok(Verified {
-            frame,
-            ..Verified::default()
+            frame: VerifiedFrame {
+                scene: cell.scene.clone(),
+                method: cell.method.clone(),
+                variant: cell.variant.clone(),
+                width: cell.width,
+                height: cell.height,
+                frame,
+                time_s: 0.0,
+                metrics: MetricValues::default(),
+            },
+            regions: Vec::new(),
+            images: Vec::new(),
         })
     }
 

@@ -51,11 +51,8 @@ pub(super) fn verify_cells(
             };
             if frame == 0 && depth == depths[0] {
                 let image = Image::grey(watched.plan.size_px, &truth);
-                dir.write_image(
-                    (&scene.name, "", &Variant::default()),
-                    ImageKind::Reference,
-                    &image,
-                )?;
+                let nobody = Variant::default();
+                dir.write_image((&scene.name, "", &nobody), ImageKind::Reference, &image)?;
             }
             for (index, run) in cells.iter_mut().enumerate() {
                 if !waits(run) {
@@ -94,17 +91,12 @@ fn verify(
 /// Keeps what was found.
 fn keep(
     watched: Watched<'_>,
-    verified: Verified,
+    found: Verified,
     run: &mut CellRun<'_>,
     dir: &mut RunDir,
 ) -> Result<(), RunDirError> {
-    let Verified {
-        frame,
-        regions,
-        images,
-    } = verified;
     let (cell, size_px) = (&run.cell, watched.plan.size_px);
-    for (kind, pixels) in &images {
+    for (kind, pixels) in &found.images {
         let image = match kind {
             ImageKind::Picture => Image::rgba(size_px, pixels),
             ImageKind::Error => Image::rgb(size_px, pixels),
@@ -112,8 +104,8 @@ fn keep(
         };
         dir.write_image((&cell.scene, &cell.method, &cell.variant), *kind, &image)?;
     }
-    dir.append_verified(&frame, &regions)?;
-    run.verified.push(frame);
+    dir.append_verified(&found.frame, &found.regions)?;
+    run.verified.push(found.frame);
     watched.observer.advance(1);
     Ok(())
 }

@@ -64,7 +64,7 @@ pub enum VerifiedFrames {
     /// So many, evenly spaced, each in the middle of its part of the flight, so that no two scenes are
     /// only seen at the flight's ends.
     Spread(u32),
-    /// Every so manieth of the measured ones, the first among them.
+    /// Every Nth measured frame, starting with the first.
     Every(u32),
 }
 

@@ -10,7 +10,7 @@ pub struct Overrides {
     pub size_px: Option<(u32, u32)>,
     /// Measured frames.
     pub frames: Option<u32>,
-    /// Compare every so manieth measured frame with the truth, and see what flickers and what the
+    /// Compare every Nth measured frame with the truth, and see what flickers and what the
     /// shaded pictures look like.
     pub accuracy: Option<u32>,
     /// Run only these methods; empty for all.

@@ -145,7 +145,7 @@ fn default_cell_timeout() -> Spanned<f64> {
     Spanned::new(0..0, 3600.0)
 }
 
-/// Frames compared with the truth, unless told otherwise.
+/// Default number of frames compared with the truth.
 const VERIFIED_FRAMES: u32 = 2;
 
 impl RunPlan {

@@ -3,6 +3,12 @@
 //!
 //! This is the only room with `unsafe` code. [`native`] holds all that talks to Vulkan directly;
 //! its public face is safe.
+//!
+//! wgpu has no tessellation and geometry stages and no control over barriers, so methods that need them draw
+//! with Vulkan in the midst of a frame of wgpu's. A frame is therefore recorded in one place, [`FrameRecorder`], which
+//! sets timestamps and barriers between the two. For example, a [`Stage`] that uploads vertices, computes silhouettes in
+//! a compute pass and draws them natively needs no word about any of this; its time on the device and on the processor
+//! is told apart in [`FrameTimes`].
 
 mod adapter;
 mod capability;

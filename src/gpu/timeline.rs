@@ -2,7 +2,7 @@
 //!
 //! A stage has time on the device (between timestamps) and time on the processor (what the method works there;
 //! recording commands is not in it). A frame is a chain of both: work on the processor comes before the submission
-//! that it feeds, and the device goes on while the processor works on what it submits next. [`Timeline`] lays the
+//! that it feeds, and the device goes on while the processor works on what it submits next. The timeline lays the
 //! measured times out in that order and takes the length of the longest path through them, so that work that
 //! overlaps is counted once, and a gap in which neither works is not counted at all.
 

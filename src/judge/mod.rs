@@ -1,4 +1,9 @@
-//! A mask drawn and held against the ray-traced truth: for runs, for stability, and for single pictures alike.
+//! Draws a mask and compares it with the ray-traced reference: for runs, for stability and for single pictures alike.
+//!
+//! `bench`, `stress` and `render` ask the same question, so they ask it here: a wrong pixel in a run is then a wrong
+//! pixel everywhere. Each of them also has to survive a method that breaks. For example, a stress run calls
+//! [`Judge::trial`] with a scene and some methods; if one of them panics, its [`Attempt`] says [`NoPicture::Failed`]
+//! with the reason, and the others are drawn.
 //!
 //! - [`DeviceScene`] makes methods ready on a device: the one place that chooses frame resources, checks what the
 //!   device can do, and prepares.

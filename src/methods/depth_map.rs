@@ -99,7 +99,7 @@ impl<'de> Deserialize<'de> for SlopeBias {
 pub(super) trait MapKind: fmt::Debug + Clone + 'static {
     /// The method that draws it.
     fn info() -> &'static MethodInfo;
-    /// Side of the map unless told otherwise.
+    /// Default side of the map.
     const RESOLUTION: u32;
     /// What the resolution is.
     const RESOLUTION_WORDS: &'static str;

@@ -1,4 +1,4 @@
-//! The shadow methods. Each is one file here, a folder of shaders, and one line in [`registry`].
+//! The shadow methods. Each is one file here, a folder of shaders, and one line in `registry.rs`.
 //!
 //! A method gets the G-buffer and the view and leaves the shadow mask; all else happens outside.
 //! A [`ShadowMethod`] is a method with its parameters, as a configuration names it; a

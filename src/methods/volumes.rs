@@ -116,8 +116,8 @@ pub(super) const LIMITS: &[Limit] = &[
 
 /// What volumes of single triangles cannot do.
 pub(super) const TRIANGLE_LIMITS: &[Limit] = &[Limit {
-    text: "single wrong pixels on edges between triangles, where the side quads of both should leave each \
-               other out; anywhere in the picture where shadows of hundreds of such edges fall",
+    text: "single wrong pixels on edges between triangles, where the side quads of both should \
+               cancel; anywhere in the picture where shadows of hundreds of such edges fall",
     with: &[],
     fails: &[("nested_shells", 129.0)],
     kinds: &[Label::Seam],

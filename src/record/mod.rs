@@ -4,6 +4,10 @@
 //! here and nowhere else. All of a run can be read back from its directory; the report needs no
 //! device, no scene and no model.
 //!
+//! Tables are tidy: a field has one number. For example, the milliseconds of a frame's two stages are two rows of
+//! `stages.csv` with the same cell and frame, so that any program that reads CSV can sum or plot them, and a new stage
+//! or metric adds rows and changes no reader.
+//!
 //! | file | holds |
 //! |---|---|
 //! | `run.json` | [`RunInfo`]: where the numbers come from |
@@ -47,11 +51,11 @@ pub use info::{
     SweepRecord,
 };
 pub use pairs::{pairs_from_text, pairs_to_text};
-pub use rows::{Cell, Sample, Summary, summary_records};
+pub use rows::{Cell, Sample, StageMs, Summary, summary_records};
 pub use run::Run;
 pub(crate) use run::unique;
 pub use run_dir::new_directory;
-pub use stage_rows::{StageMs, StageRow, stage_rows};
+pub use stage_rows::{StageRow, stage_rows};
 pub use stress_run::StressRun;
 pub use verified_frame::{MetricRow, VerifiedFrame, metric_rows};
 

@@ -3,10 +3,21 @@
 use crate::variant::Variant;
 use serde::{Deserialize, Serialize};
 
-use super::{StageMs, Status, VerifiedFrame};
+use super::{Status, VerifiedFrame};
 use crate::metrics::{METRICS, MetricValues};
 use crate::record::statistics::{mean, median, p95};
 use crate::table;
+
+/// How long a stage of a method took in one frame.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct StageMs {
+    /// Its name.
+    pub stage: String,
+    /// On the device, in milliseconds.
+    pub device_ms: f64,
+    /// On the processor, in milliseconds.
+    pub cpu_ms: f64,
+}
 
 /// One measured frame: a row of `samples.csv`.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
@@ -31,7 +42,7 @@ pub struct Sample {
     pub time_s: f64,
     /// Position of this frame in the order in which its scene's frames were drawn, warm-up included.
     pub order: u64,
-    /// All of the frame on the device, in milliseconds.
+    /// The frame's critical path over both clocks, in milliseconds.
     pub frame_ms: f64,
     /// The G-buffer.
     pub gbuffer_ms: f64,

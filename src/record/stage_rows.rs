@@ -1,20 +1,9 @@
 //! `stages.csv`: how long each stage of a method took in each measured frame.
 
-use super::Sample;
+use super::{Sample, StageMs};
 use crate::variant::Variant;
 use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
-
-/// How long a stage of a method took in one frame.
-#[derive(Debug, Clone, Default, PartialEq)]
-pub struct StageMs {
-    /// Its name.
-    pub stage: String,
-    /// On the device, in milliseconds.
-    pub device_ms: f64,
-    /// On the processor, in milliseconds.
-    pub cpu_ms: f64,
-}
 
 /// A stage of a frame: a row of `stages.csv`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

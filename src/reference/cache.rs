@@ -58,7 +58,7 @@ pub struct ReferenceCache {
 }
 
 impl ReferenceCache {
-    /// What a folder holds at most unless told otherwise, in MiB.
+    /// Default size limit of a cache folder, in MiB.
     pub const DEFAULT_MIB: u64 = 1024;
 
     /// A cache in `dir`, which need not exist yet; without one, nothing is kept.

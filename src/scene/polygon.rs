@@ -148,7 +148,7 @@ impl Plane {
             .sum();
         let is_none = area.length() <= 1e-9 * size * widest.length();
         Some(Self {
-            // Its halves leave each other out: it crosses itself, in one plane or another.
+            // Its halves cancel: it crosses itself, in one plane or another.
             normal: if is_none { widest } else { area }.normalize(),
             middle: points[0].as_dvec3()
                 + points.iter().map(from_first).sum::<DVec3>() / points.len() as f64,

@@ -1,4 +1,4 @@
-//! Whether a method draws the same shadow when the same scene is told otherwise.
+//! Whether a method draws the same shadow when the same scene is written another way.
 //!
 //! No truth is needed to see that two masks differ; it is asked only which of the differing pixels mean
 //! something. Where the two pictures show different triangles (coincident ones, of which the order of

@@ -3,7 +3,7 @@
 //! A [`Judge`](crate::judge::Judge) draws one picture of a scene with several methods and holds the masks against the truth; a
 //! [`Finding`] says whether what came out is a failure, and one that the method declares. All the rest makes
 //! scenes for it: the [`corpus`] of causes for [`sweep`](sweep()), [`random`] ones for [`fuzz`](fuzz()),
-//! scenes told otherwise for [`metamorphic`], and ever smaller ones, until only what fails is left, for
+//! rewritten scenes for [`metamorphic`], and ever smaller ones, until only what fails is left, for
 //! [`minimise`](fn@minimise::minimise).
 
 mod cause;

@@ -1,4 +1,4 @@
-//! Meshes told otherwise: how [`Change`](super::Change)s are made.
+//! Meshes written another way: how [`Change`](super::Change)s are made.
 
 use crate::geometry::Topology;
 use crate::scene::{CameraKey, CameraPath, Flight, LightKey, LightPath, Mesh, Object, Part, Scene};

@@ -106,7 +106,7 @@ fn each_failure_is_its_cells_reason_and_all_others_are_measured() {
     let of = |kind: u32| {
         let variant = format!("kind={kind}");
         let mut rows = rows.iter();
-        rows.find(|row| row.method == "trouble" && row.variant.as_str() == variant)
+        rows.find(|row| row.method == "trouble" && row.variant.to_string() == variant)
             .unwrap()
     };
     for (kind, frames, reason) in [

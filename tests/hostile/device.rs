@@ -318,10 +318,12 @@ fn scenes_that_cannot_be_drawn_fail_with_time_and_cause_and_the_others_go_on() {
         let (status, reason) = status_of(&rows, "bad_model", method);
         assert!(status == "failed" && reason.contains("bad.obj"), "{reason}");
         let (status, reason) = status_of(&rows, "through_target", method);
-        let expected = "no picture at 1 s of the flight: the camera looks at the point where it is";
+        let expected =
+            "no picture at 1 s of the flight: camera: the camera looks at the point where it is";
         assert!(status == "failed" && reason.contains(expected), "{reason}");
         let (status, reason) = status_of(&rows, "too_far", method);
-        let expected = "no picture at 1.5 s of the flight: the camera's numbers are too large";
+        let expected =
+            "no picture at 1.5 s of the flight: camera: the camera's numbers are too large";
         assert!(status == "failed" && reason.contains(expected), "{reason}");
     }
     let samples = crate::device::rows(&place.path("run/samples.csv"));

@@ -1,4 +1,4 @@
-// Hands on the number of the edge or triangle; the stages after it fetch what they need.
+// Passes the number of the edge or triangle through; later stages fetch what they need.
 layout(location = 0) flat out uint number;
 
 void main() {

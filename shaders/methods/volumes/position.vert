@@ -1,4 +1,4 @@
-// Hands on the position of a vertex from the vertex buffer.
+// Passes a vertex's position through from the vertex buffer.
 layout(location = 0) in vec3 vertex;
 layout(location = 0) out vec3 position;
 

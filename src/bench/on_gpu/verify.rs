@@ -60,24 +60,20 @@ impl Traced {
         (cell, frame): (&Cell, u32),
     ) -> anyhow::Result<Verified> {
         let keep_pictures = frame == 0;
-        let mut draw = |time_s: f64, truth: &Truth| {
-            let times_s = sequence(time_s, plan.lead_in);
-            let lead_in = &times_s[..plan.lead_in as usize];
-            verifier.draw_mask_after(lead_in, ready, truth)
-        };
-        let mask = draw(self.time_s, &self.truth)?;
+        let mask = draw(plan, verifier, ready, (self.time_s, &self.truth))?;
         let picture = match keep_pictures || self.picture.is_some() {
             true => Some(verifier.read_picture()?),
             false => None,
         };
+        // Before the next frame is drawn, in which a shadow map may be looked up otherwise.
+        let judgement = verifier.compare(&mask, &self.truth, ready.method.as_ref())?;
         let flicker = match &self.next {
             Some((next_s, next, motion)) => {
-                let next_mask = draw(*next_s, next)?;
+                let next_mask = draw(plan, verifier, ready, (*next_s, next))?;
                 Some(flicker(motion, (&mask, &self.truth), (&next_mask, next))?)
             }
             None => None,
         };
-        let judgement = verifier.compare(&mask, &self.truth, ready.method.as_ref())?;
         let flip = match (&self.picture, &picture) {
             (Some(truth), Some(picture)) => Some(verifier.flip(&self.truth, truth, picture)?),
             _ => None,
@@ -91,16 +87,7 @@ impl Traced {
             flicker,
             flip,
         };
-        let verified = VerifiedFrame {
-            scene: cell.scene.clone(),
-            method: cell.method.clone(),
-            variant: cell.variant.clone(),
-            width: cell.width,
-            height: cell.height,
-            frame,
-            time_s: self.time_s,
-            metrics: MetricValues::measure(METRICS, &findings),
-        };
+        let metrics = MetricValues::measure(METRICS, &findings);
         let regions = regions(cell, frame, &judgement);
         let mut images = Vec::new();
         if let Some(picture) = picture.filter(|_| keep_pictures) {
@@ -109,11 +96,36 @@ impl Traced {
             images.push((ImageKind::Error, judgement.error_map));
         }
         Ok(Verified {
-            frame: verified,
+            frame: self.row(cell, frame, metrics),
             regions,
             images,
         })
     }
+
+    fn row(&self, cell: &Cell, frame: u32, metrics: MetricValues) -> VerifiedFrame {
+        VerifiedFrame {
+            scene: cell.scene.clone(),
+            method: cell.method.clone(),
+            variant: cell.variant.clone(),
+            width: cell.width,
+            height: cell.height,
+            frame,
+            time_s: self.time_s,
+            metrics,
+        }
+    }
+}
+
+/// The mask of a frame at a time of the flight, of which this is true, after those that lead in to it.
+fn draw(
+    plan: &RunPlan,
+    verifier: &Verifier<'_>,
+    ready: &mut ReadyMethod,
+    (time_s, truth): (f64, &Truth),
+) -> anyhow::Result<Vec<u8>> {
+    let times_s = sequence(time_s, plan.lead_in);
+    let lead_in_s = &times_s[..plan.lead_in as usize];
+    verifier.draw_mask_after(lead_in_s, ready, truth)
 }
 
 fn regions(cell: &Cell, frame: u32, judgement: &Judgement) -> Vec<RegionRow> {

@@ -1,6 +1,6 @@
 //! Seams: single pixels on an edge between two triangles that go on alike.
 //!
-//! Volumes of single triangles leave each other out along their common side quads, one quad for each
+//! Volumes of single triangles cancel along their common side quads, one quad for each
 //! triangle. Near the edge both quads are as near to the surface as can be, and clipping or tessellation that
 //! gives them another last bit leaves one of them at a pixel.
 
