@@ -211,7 +211,7 @@ fn a_configuration_is_refused_with_the_place_and_the_nearest_key() {
         ("slices = 8", "rows = 0", &["run.toml:9:9", "at least one row"]),
         ("frames = 1\nwarm", "frames = 0\nwarm", &["run.toml:3:10", "`frames` is 0", "from 1"]),
         ("[64, 48]", "[64, 0]", &["run.toml:2:8", "64 × 0", "must be 1 to"]),
-        ("[64, 48]", "[64, 48, 3]", &["run.toml:2:8", "2 numbers, not 3"]),
+        ("[64, 48]", "[64, 48, 3]", &["run.toml:2:8", "expected 2 numbers, found 3"]),
         ("[64, 48]", "[60000, 48]", &["run.toml: size", "at most", "60000 × 48"]),
         ("\"shadow_map\"", "\"shadow_mop\"", &["run.toml:13:6", "did you mean `shadow_map`?"]),
         ("id = \"shadow_map\"\n", "", &["run.toml:12:1", "no `id`"]),
@@ -297,7 +297,7 @@ fn a_wrong_scene_file_is_refused_by_run_and_render() {
         ("near", "naer", &[":17:1", "did you mean `near`?"]),
         ("\"obj\"", "\"objs\"", &[":4:8", "did you mean `obj`?"]),
         ("[3.0, 20.0, 5.0]", "[nan, 20.0, 5.0]", &[":13:12", "finite"]),
-        ("[3.0, 20.0, 5.0]", "[3.0, 20.0, 5.0, 0.0]", &[":13:12", "3 numbers, not 4"]),
+        ("[3.0, 20.0, 5.0]", "[3.0, 20.0, 5.0, 0.0]", &[":13:12", "expected 3 numbers, found 4"]),
         ("[0.6, 0.3, 3.0]", "[0.6, inf, 3.0]", &[":20:3", "finite"]),
         ("[0.6, 0.3, 3.0]", "[0.0, 0.0, 0.0]", &[":20:3", "move its eye or its target"]),
         ("time_s = 1.0", "time_s = 0.0", &[":20:3", "begin at 0 and increase"]),
@@ -424,7 +424,7 @@ fn arguments_of_render_are_refused() {
     for (method, advice) in [
         ("shadow_mop", "did you mean `shadow_map`?"),
         ("shadow_map,resolutoin=64", "did you mean `resolution`?"),
-        ("shadow_map,resolution", "key=value"),
+        ("shadow_map,resolution", "name=value"),
     ] {
         room.render("model.obj", method, &[])
             .fails(USAGE, &[advice]);
