@@ -33,14 +33,14 @@ impl ShadowMethod for SphereShadow {
 
     fn prepare(&self, on: &PrepareContext<'_>) -> Result<Box<dyn PreparedMethod>, MethodError> {
         let device = &on.gpu.device;
-        let spheres = on.stage.extents.casters.iter().map(|around| {
+        let spheres = on.resources.extents.casters.iter().map(|around| {
             let radius = 0.5 * self.scale * (around.high - around.low).max_element();
             (0.5 * (around.low + around.high)).extend(radius).as_vec4()
         });
         let spheres: Vec<glam::Vec4> = spheres.collect();
         let (contents, usage) = (bytemuck::cast_slice(&spheres), wgpu::BufferUsages::STORAGE);
         let spheres = on.gpu.buffer("the spheres", contents, usage)?;
-        let depth = wgpu::BindingResource::TextureView(&on.stage.targets.depth_only_view);
+        let depth = wgpu::BindingResource::TextureView(&on.resources.targets.depth_only_view);
         let storage = wgpu::BufferBindingType::Storage { read_only: true };
         let shader = MaskShader {
             module: &shader::wgsl_text(device, INFO.id, include_str!("own_method.wgsl")),
@@ -51,7 +51,11 @@ impl ShadowMethod for SphereShadow {
                 (buffer_binding(storage), spheres.as_entire_binding()),
             ],
         };
-        Ok(Box::new(Prepared(MaskPass::new(device, on.stage, &shader))))
+        Ok(Box::new(Prepared(MaskPass::new(
+            device,
+            on.resources,
+            &shader,
+        ))))
     }
 }
 

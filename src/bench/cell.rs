@@ -171,7 +171,7 @@ impl<'a> CellRun<'a> {
             draw_calls: times.draw_calls,
             shadow_device_ms: sum(|stage| stage.device_ms),
             shadow_cpu_ms: sum(|stage| stage.processor_ms),
-            stages: own.clone().map(stage).collect(),
+            stages: own.map(stage).collect(),
         }
     }
 

@@ -5,7 +5,6 @@ use crate::frame::DepthSetup;
 use crate::gpu::FrameTimes;
 use crate::judge::{NoPicture, Observer};
 use crate::methods::ShadowMethod;
-use crate::metrics::MetricValues;
 use crate::record::{BiasRow, Cell, EdgeRecord, VerifiedFrame};
 use crate::scene::Scene;
 use std::cell::{Cell as Counter, RefCell};
@@ -187,16 +186,7 @@ impl Session for StandInSession<'_> {
     ) -> Result<Verified, NoPicture> {
         self.ask(format!("verify {} {frame}", self.name(index)))?;
         Ok(Verified {
-            frame: VerifiedFrame {
-                scene: cell.scene.clone(),
-                method: cell.method.clone(),
-                variant: cell.variant.clone(),
-                width: cell.width,
-                height: cell.height,
-                frame,
-                time_s: 0.0,
-                metrics: MetricValues::default(),
-            },
+            frame: VerifiedFrame::of(cell, frame, 0.0),
             regions: Vec::new(),
             images: Vec::new(),
         })

@@ -119,8 +119,8 @@ pub(super) fn execute(args: &RenderArgs, registry: &Registry) -> anyhow::Result<
     // The frame above was this method's first; the times are those of a second one.
     let mut timer = FrameTimer::new(&gpu);
     prepared.begin();
-    timer.frame(&gpu, (), |frame| stage.record(frame, prepared.as_mut()))?;
-    let times = timer.finish(&gpu)?.pop().map(|((), times)| times);
+    timer.frame(&gpu, |frame| stage.record(frame, prepared.as_mut()))?;
+    let times = timer.finish(&gpu)?.pop();
     let times = times.context("the frame's times got lost")?;
     let output = Output {
         scene: &scene.name,

@@ -157,9 +157,32 @@ impl FrameResources {
     /// When the device is lost, or the method's.
     pub fn draw_mask(&self, gpu: &Gpu, method: &mut dyn PreparedMethod) -> anyhow::Result<Vec<u8>> {
         method.begin();
+        self.draw_next_mask(gpu, method)
+    }
+
+    /// The same for a frame that follows the one before.
+    ///
+    /// # Errors
+    /// When the device is lost, or the method's.
+    pub fn draw_next_mask(
+        &self,
+        gpu: &Gpu,
+        method: &mut dyn PreparedMethod,
+    ) -> anyhow::Result<Vec<u8>> {
+        gpu.attempt(|| {
+            self.draw(gpu, method)?;
+            readback::read_texture(gpu, &self.targets.mask)
+        })
+    }
+
+    /// Draws a frame that follows the one before and that nobody times, and does not wait for it.
+    ///
+    /// # Errors
+    /// When the device is lost, or the method's.
+    pub fn draw(&self, gpu: &Gpu, method: &mut dyn PreparedMethod) -> anyhow::Result<()> {
         gpu.attempt(|| {
             self.record(FrameRecorder::untimed(gpu), method)?.submit();
-            readback::read_texture(gpu, &self.targets.mask)
+            Ok(())
         })
     }
 

@@ -1,12 +1,15 @@
 //! The adapters of this machine: listing them, and choosing one.
 
 use super::capability::Capability;
-use super::device::REQUIRED;
 use super::error::GpuError;
 use super::messages;
 use super::native;
 use serde::{Serialize, Serializer};
 use std::collections::BTreeSet;
+
+/// Every run times its stages.
+pub(super) const REQUIRED: wgpu::Features =
+    wgpu::Features::TIMESTAMP_QUERY.union(wgpu::Features::TIMESTAMP_QUERY_INSIDE_ENCODERS);
 
 /// One adapter of this machine, for `svbench list devices`.
 #[derive(Debug, Clone, Serialize)]

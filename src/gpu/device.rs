@@ -1,6 +1,6 @@
 //! The device, opened.
 
-use super::adapter::{adapters, choose, unsuitable};
+use super::adapter::{REQUIRED, adapters, choose, unsuitable};
 use super::capability::Capability;
 use super::error::GpuError;
 use super::fault::{DeviceError, Faults, PollFault, poll};
@@ -46,10 +46,6 @@ pub(super) struct MemoryLimits {
     /// What the machine had left.
     pub(super) host_at_opening: Option<u64>,
 }
-
-/// Every run times its stages.
-pub(super) const REQUIRED: wgpu::Features =
-    wgpu::Features::TIMESTAMP_QUERY.union(wgpu::Features::TIMESTAMP_QUERY_INSIDE_ENCODERS);
 
 /// The device is waited for so long at least, however late it is: what it was given late deserves a chance.
 const LEAST_WAIT: Duration = Duration::from_secs(2);

@@ -26,6 +26,7 @@ mod stage;
 mod ticket;
 pub mod timeline;
 pub mod timer;
+mod timestamps;
 mod uploads;
 
 pub use adapter::{DeviceSummary, list_devices, type_name};

@@ -2,9 +2,8 @@
 //! these, timed on both clocks.
 
 use super::Gpu;
-use super::stage::Stage;
 use super::timeline::Event;
-use super::timer::{MAX_TIMESTAMPS, Slot};
+use super::timestamps::Timestamps;
 use std::time::Instant;
 
 /// Records the stages of one frame in order.
@@ -19,10 +18,11 @@ pub struct FrameRecorder<'a> {
     /// Whether the encoder copies from the device's upload buffers.
     pub(super) uploads: bool,
     finished: Vec<wgpu::CommandBuffer>,
-    slot: Option<Slot>,
+    /// Where the device writes down its time; `None` where nobody asks.
+    timestamps: Option<Timestamps>,
+    timestamp_count: u32,
     stages: Vec<&'static str>,
     events: Vec<Event>,
-    timestamps: u32,
     /// Whether device commands were recorded since the last timestamp.
     is_dirty: bool,
     /// Part of the time since recording began that was not recording: work and waits on the processor.
@@ -49,17 +49,17 @@ pub(super) struct Submitted {
 }
 
 impl<'a> FrameRecorder<'a> {
-    pub(super) fn new(gpu: &'a Gpu, slot: Option<Slot>) -> Self {
+    pub(super) fn new(gpu: &'a Gpu, timestamps: Option<Timestamps>) -> Self {
         let mut recorder = Self {
             gpu,
             encoder: new_encoder(gpu),
             draw_calls: 0,
             uploads: false,
             finished: Vec::new(),
-            slot,
+            timestamps,
+            timestamp_count: 0,
             stages: Vec::new(),
             events: Vec::new(),
-            timestamps: 0,
             is_dirty: false,
             apart_ms: 0.0,
             wait_ms: 0.0,
@@ -78,16 +78,9 @@ impl<'a> FrameRecorder<'a> {
         self.gpu
     }
 
-    /// A stage; gives what `record` gives.
-    pub fn stage<T>(
-        &mut self,
-        name: &'static str,
-        record: impl FnOnce(&mut Stage<'_, 'a>) -> T,
-    ) -> T {
+    /// What follows is a stage of this name.
+    pub(super) fn begin_stage(&mut self, name: &'static str) {
         self.stages.push(name);
-        let result = record(&mut Stage::new(self));
-        self.end_device_work();
-        result
     }
 
     /// The device's commands from here on are part of the stage.
@@ -96,33 +89,29 @@ impl<'a> FrameRecorder<'a> {
     }
 
     /// Times what the device was given since the last timestamp, if anything.
-    fn end_device_work(&mut self) {
+    pub(super) fn end_device_work(&mut self) {
         if std::mem::take(&mut self.is_dirty) {
-            let from = self.timestamps.saturating_sub(1);
+            let from = self.timestamp_count.saturating_sub(1);
             self.timestamp();
             self.events.push(Event::Device {
                 stage: self.stages.len() - 1,
                 from,
-                to: self.timestamps.saturating_sub(1),
+                to: self.timestamp_count.saturating_sub(1),
             });
         }
     }
 
     fn timestamp(&mut self) {
-        if let Some(slot) = &self.slot {
-            assert!(
-                self.timestamps < MAX_TIMESTAMPS,
-                "a frame has at most {MAX_TIMESTAMPS} timestamps"
-            );
-            self.encoder.write_timestamp(&slot.queries, self.timestamps);
-            self.timestamps += 1;
+        if let Some(timestamps) = &self.timestamps {
+            timestamps.write(&mut self.encoder, self.timestamp_count);
+            self.timestamp_count += 1;
         }
     }
 
     /// Work on the processor, as a part of the stage.
     pub(super) fn on_processor<T>(&mut self, work: impl FnOnce() -> T) -> T {
         // Where the device is this processor, earlier frames would slow the work down.
-        if self.slot.is_some() && self.gpu.is_software() && !self.has_worked() {
+        if self.timestamps.is_some() && self.gpu.is_software() && !self.has_worked() {
             self.apart(|recorder| recorder.gpu.wait_idle());
         }
         let begin = Instant::now();
@@ -186,8 +175,8 @@ impl<'a> FrameRecorder<'a> {
     }
 
     pub(super) fn submit_timed(mut self) -> Submitted {
-        if let Some(slot) = &self.slot {
-            slot.resolve(&mut self.encoder, self.timestamps);
+        if let Some(timestamps) = &self.timestamps {
+            timestamps.resolve(&mut self.encoder, self.timestamp_count);
         }
         self.close_encoder();
         let recorded = Instant::now();

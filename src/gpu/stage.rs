@@ -10,11 +10,21 @@ pub struct Stage<'s, 'f> {
     frame: &'s mut FrameRecorder<'f>,
 }
 
-impl<'s, 'f> Stage<'s, 'f> {
-    pub(super) fn new(frame: &'s mut FrameRecorder<'f>) -> Self {
-        Self { frame }
+impl<'f> FrameRecorder<'f> {
+    /// A stage; gives what `record` gives.
+    pub fn stage<T>(
+        &mut self,
+        name: &'static str,
+        record: impl FnOnce(&mut Stage<'_, 'f>) -> T,
+    ) -> T {
+        self.begin_stage(name);
+        let result = record(&mut Stage { frame: self });
+        self.end_device_work();
+        result
     }
+}
 
+impl Stage<'_, '_> {
     /// The encoder that wgpu's passes and copies go into.
     pub fn encoder(&mut self) -> &mut wgpu::CommandEncoder {
         self.frame.begin_device_work();

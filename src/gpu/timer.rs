@@ -2,20 +2,16 @@
 
 use super::recorder::Submitted;
 use super::timeline::{StageTime, Timeline};
+use super::timestamps::Timestamps;
 use super::{FrameRecorder, Gpu};
 use anyhow::Context;
 use std::collections::VecDeque;
 use std::sync::mpsc::Receiver;
 use std::time::Instant;
 
-/// Most timestamps that one frame may have: one a stage, and one a submission.
-pub(super) const MAX_TIMESTAMPS: u32 = 64;
-
 /// Frames that may be under way at once. As many as a swap chain would allow: the CPU may run
 /// ahead, yet the queue does not grow without bound.
 pub const FRAMES_IN_FLIGHT: usize = 3;
-
-const QUERY_BYTES: u64 = MAX_TIMESTAMPS as u64 * wgpu::QUERY_SIZE as u64;
 
 /// Times of one frame, in milliseconds.
 #[derive(Debug, Clone, PartialEq)]
@@ -67,66 +63,22 @@ impl FrameTimes {
     }
 }
 
-/// The queries of one frame in flight.
-#[derive(Clone)]
-pub(super) struct Slot {
-    pub(super) queries: wgpu::QuerySet,
-    resolved: wgpu::Buffer,
-    readable: wgpu::Buffer,
-}
-
-impl Slot {
-    fn new(device: &wgpu::Device) -> Self {
-        let buffer = |label, usage| {
-            device.create_buffer(&wgpu::BufferDescriptor {
-                label: Some(label),
-                size: QUERY_BYTES,
-                usage,
-                mapped_at_creation: false,
-            })
-        };
-        Self {
-            queries: device.create_query_set(&wgpu::QuerySetDescriptor {
-                label: Some("stage times"),
-                ty: wgpu::QueryType::Timestamp,
-                count: MAX_TIMESTAMPS,
-            }),
-            resolved: buffer(
-                "stage times, resolved",
-                wgpu::BufferUsages::QUERY_RESOLVE | wgpu::BufferUsages::COPY_SRC,
-            ),
-            readable: buffer(
-                "stage times, readable",
-                wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
-            ),
-        }
-    }
-
-    pub(super) fn resolve(&self, encoder: &mut wgpu::CommandEncoder, timestamps: u32) {
-        let bytes = u64::from(timestamps) * u64::from(wgpu::QUERY_SIZE);
-        encoder.resolve_query_set(&self.queries, 0..timestamps, &self.resolved, 0);
-        encoder.copy_buffer_to_buffer(&self.resolved, 0, &self.readable, 0, bytes);
-    }
-}
-
-struct Pending<T> {
-    tag: T,
-    slot: Slot,
+struct Pending {
+    timestamps: Timestamps,
     frame: Submitted,
     record_ms: f64,
     cpu_ms: f64,
     mapped: Receiver<Result<(), wgpu::BufferAsyncError>>,
 }
 
-/// Hands out frames to record and gives back their times, each with the caller's `tag`, in the
-/// order in which they were submitted.
-pub struct FrameTimer<T> {
-    free: Vec<Slot>,
-    pending: VecDeque<Pending<T>>,
+/// Hands out frames to record and gives back their times, in the order in which they were submitted.
+pub struct FrameTimer {
+    free: Vec<Timestamps>,
+    pending: VecDeque<Pending>,
     period_ns: f64,
 }
 
-impl<T> FrameTimer<T> {
+impl FrameTimer {
     /// A timer for `gpu`.
     pub fn new(gpu: &Gpu) -> Self {
         Self {
@@ -144,28 +96,21 @@ impl<T> FrameTimer<T> {
     pub fn frame<'g>(
         &mut self,
         gpu: &'g Gpu,
-        tag: T,
         record: impl FnOnce(FrameRecorder<'g>) -> anyhow::Result<FrameRecorder<'g>>,
-    ) -> anyhow::Result<Option<(T, FrameTimes)>> {
+    ) -> anyhow::Result<Option<FrameTimes>> {
         let done = self.make_room(gpu)?;
-        let slot = match self.free.pop() {
-            Some(slot) => slot,
-            None => gpu.attempt(|| Ok::<_, anyhow::Error>(Slot::new(&gpu.device)))?,
+        let timestamps = match self.free.pop() {
+            Some(timestamps) => timestamps,
+            None => gpu.attempt(|| Ok::<_, anyhow::Error>(Timestamps::new(&gpu.device)))?,
         };
         let pending = gpu.attempt(|| {
             let begin = Instant::now();
-            let frame = record(FrameRecorder::new(gpu, Some(slot.clone())))?.submit_timed();
+            let frame = record(FrameRecorder::new(gpu, Some(timestamps.clone())))?.submit_timed();
             let cpu_ms = begin.elapsed().as_secs_f64() * 1e3 - frame.apart_ms;
             let record_ms = (frame.recorded - begin).as_secs_f64() * 1e3 - frame.apart_ms;
-            let (sender, mapped) = std::sync::mpsc::channel();
-            slot.readable
-                .map_async(wgpu::MapMode::Read, .., move |result| {
-                    // Nobody listens any more if the run was given up.
-                    let _ = sender.send(result);
-                });
+            let mapped = timestamps.map();
             Ok::<_, anyhow::Error>(Pending {
-                tag,
-                slot,
+                timestamps,
                 frame,
                 record_ms,
                 cpu_ms,
@@ -180,7 +125,7 @@ impl<T> FrameTimer<T> {
     ///
     /// # Errors
     /// When the device is lost.
-    pub fn make_room(&mut self, gpu: &Gpu) -> anyhow::Result<Option<(T, FrameTimes)>> {
+    pub fn make_room(&mut self, gpu: &Gpu) -> anyhow::Result<Option<FrameTimes>> {
         match self.pending.len() {
             FRAMES_IN_FLIGHT => self.finish_one(gpu),
             _ => Ok(None),
@@ -191,7 +136,7 @@ impl<T> FrameTimer<T> {
     ///
     /// # Errors
     /// When the device is lost.
-    pub fn finish(&mut self, gpu: &Gpu) -> anyhow::Result<Vec<(T, FrameTimes)>> {
+    pub fn finish(&mut self, gpu: &Gpu) -> anyhow::Result<Vec<FrameTimes>> {
         std::iter::from_fn(|| self.finish_one(gpu).transpose()).collect()
     }
 
@@ -199,17 +144,11 @@ impl<T> FrameTimer<T> {
     ///
     /// # Errors
     /// When the device is lost.
-    pub fn finish_one(&mut self, gpu: &Gpu) -> anyhow::Result<Option<(T, FrameTimes)>> {
+    pub fn finish_one(&mut self, gpu: &Gpu) -> anyhow::Result<Option<FrameTimes>> {
         gpu.attempt(|| self.wait_for_oldest(gpu))
     }
 
-    /// The tag of the oldest frame under way, the first to come to its end: where the device was lost, the
-    /// frame that lost it.
-    pub fn under_way(&self) -> Option<&T> {
-        self.pending.front().map(|pending| &pending.tag)
-    }
-
-    fn wait_for_oldest(&mut self, gpu: &Gpu) -> anyhow::Result<Option<(T, FrameTimes)>> {
+    fn wait_for_oldest(&mut self, gpu: &Gpu) -> anyhow::Result<Option<FrameTimes>> {
         let Some(oldest) = self.pending.front() else {
             return Ok(None);
         };
@@ -224,8 +163,7 @@ impl<T> FrameTimer<T> {
             .try_recv()
             .context("a frame's times got lost")??;
         let Some(Pending {
-            tag,
-            slot,
+            timestamps,
             frame,
             record_ms,
             cpu_ms,
@@ -234,11 +172,7 @@ impl<T> FrameTimer<T> {
         else {
             return Ok(None);
         };
-        let ticks: Vec<u64> = {
-            let bytes = slot.readable.get_mapped_range(..)?;
-            bytemuck::pod_collect_to_vec(&bytes)
-        };
-        slot.readable.unmap();
+        let ticks = timestamps.ticks()?;
         let ms = |from: u32, to: u32| {
             let ticks = ticks[to as usize].saturating_sub(ticks[from as usize]);
             ticks as f64 * self.period_ns / 1e6
@@ -252,7 +186,7 @@ impl<T> FrameTimer<T> {
             wait_ms: frame.wait_ms,
             draw_calls: frame.draw_calls,
         };
-        self.free.push(slot);
-        Ok(Some((tag, times)))
+        self.free.push(timestamps);
+        Ok(Some(times))
     }
 }

@@ -66,7 +66,7 @@ impl Verifier<'_> {
                 expected.copy_from_slice(found);
             }
         }
-        let size = [self.stage.targets.width, self.stage.targets.height];
+        let size = [self.resources.targets.width, self.resources.targets.height];
         Ok(mean_flip(size, &expected, picture)?)
     }
 }

@@ -3,7 +3,7 @@
 use super::NoPicture;
 use crate::frame::{DepthSetup, FrameResources, PreparedMethod};
 use crate::geometry::Topology;
-use crate::gpu::{DeviceError, FrameRecorder, Gpu, readback};
+use crate::gpu::{DeviceError, Gpu};
 use crate::methods::{self, PrepareContext, ShadowMethod};
 use crate::scene::{Moment, Scene};
 use std::cell::{OnceCell, RefCell};
@@ -95,7 +95,7 @@ impl ReadyMethod {
         self.method.begin();
         for moment in lead_in {
             self.resources.set_view(gpu, moment);
-            gpu.attempt(|| self.submit(gpu))?;
+            self.resources.draw(gpu, self.method.as_mut())?;
         }
         Ok(())
     }
@@ -105,16 +105,6 @@ impl ReadyMethod {
     /// # Errors
     /// When the device is lost, or the method's.
     pub fn draw_mask(&mut self, gpu: &Gpu) -> anyhow::Result<Vec<u8>> {
-        gpu.attempt(|| {
-            self.submit(gpu)?;
-            readback::read_texture(gpu, &self.resources.targets.mask)
-        })
-    }
-
-    fn submit(&mut self, gpu: &Gpu) -> anyhow::Result<()> {
-        let recorder = FrameRecorder::untimed(gpu);
-        let recorder = self.resources.record(recorder, self.method.as_mut())?;
-        recorder.submit();
-        Ok(())
+        self.resources.draw_next_mask(gpu, self.method.as_mut())
     }
 }

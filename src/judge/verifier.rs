@@ -20,7 +20,7 @@ const TRUTH_BYTES_PER_PIXEL: u64 = 64;
 pub struct Verifier<'a> {
     gpu: &'a Gpu,
     scene: &'a Scene,
-    pub(super) stage: &'a FrameResources,
+    pub(super) resources: &'a FrameResources,
     pub(super) reference: Rc<Reference>,
     cache: &'a ReferenceCache,
 }
@@ -43,13 +43,13 @@ impl<'a> Verifier<'a> {
     pub fn new(
         gpu: &'a Gpu,
         scene: &'a Scene,
-        stage: &'a FrameResources,
+        resources: &'a FrameResources,
         cache: &'a ReferenceCache,
     ) -> anyhow::Result<Self> {
         Ok(Self::sharing(
             gpu,
             scene,
-            stage,
+            resources,
             cache,
             &Self::reference_of(scene)?,
         ))
@@ -76,14 +76,14 @@ impl<'a> Verifier<'a> {
     pub fn sharing(
         gpu: &'a Gpu,
         scene: &'a Scene,
-        stage: &'a FrameResources,
+        resources: &'a FrameResources,
         cache: &'a ReferenceCache,
         reference: &Rc<Reference>,
     ) -> Self {
         Self {
             gpu,
             scene,
-            stage,
+            resources,
             reference: Rc::clone(reference),
             cache,
         }
@@ -95,17 +95,17 @@ impl<'a> Verifier<'a> {
     /// When the device is lost, memory is short, or there is no picture of that moment.
     pub fn truth(&self, moment: &Moment) -> anyhow::Result<Truth> {
         moment.validate()?;
-        let (width, height) = (self.stage.targets.width, self.stage.targets.height);
+        let (width, height) = (self.resources.targets.width, self.resources.targets.height);
         memory::check(TRUTH_BYTES_PER_PIXEL * u64::from(width) * u64::from(height))
             .with_context(|| format!("the truth of {width} × {height} pixels is too large"))?;
         let FrameView {
             view_projection, ..
-        } = self.stage.set_view(self.gpu, moment);
+        } = self.resources.set_view(self.gpu, moment);
         let ids = self.gpu.attempt(|| {
             let mut frame = FrameRecorder::untimed(self.gpu);
-            self.stage.record_gbuffer(&mut frame);
+            self.resources.record_gbuffer(&mut frame);
             frame.submit();
-            readback::read_texture(self.gpu, &self.stage.targets.triangle_ids)
+            readback::read_texture(self.gpu, &self.resources.targets.triangle_ids)
         })?;
         let triangle_ids: Vec<u32> = bytemuck::pod_collect_to_vec(&ids);
         let view = ReferenceView {
@@ -135,8 +135,8 @@ impl<'a> Verifier<'a> {
         method: &mut dyn PreparedMethod,
         truth: &Truth,
     ) -> anyhow::Result<Vec<u8>> {
-        self.stage.set_view(self.gpu, &truth.moment);
-        self.stage.draw_mask(self.gpu, method)
+        self.resources.set_view(self.gpu, &truth.moment);
+        self.resources.draw_mask(self.gpu, method)
     }
 
     /// The same for a frame that follows those at `lead_in_s` of the flight.
@@ -151,7 +151,7 @@ impl<'a> Verifier<'a> {
     ) -> anyhow::Result<Vec<u8>> {
         let lead_in = lead_in_s.iter().map(|s| self.scene.flight.at(*s));
         ready.begin(self.gpu, &lead_in.collect::<Vec<_>>())?;
-        self.stage.set_view(self.gpu, &truth.moment);
+        self.resources.set_view(self.gpu, &truth.moment);
         ready.draw_mask(self.gpu)
     }
 
@@ -160,7 +160,7 @@ impl<'a> Verifier<'a> {
     /// # Errors
     /// When the device is lost.
     pub fn read_picture(&self) -> anyhow::Result<Vec<u8>> {
-        readback::read_texture(self.gpu, &self.stage.targets.colour)
+        readback::read_texture(self.gpu, &self.resources.targets.colour)
     }
 
     /// RGBA of the frame as it is with the true shadows; ambiguous pixels are lit, see [`Self::flip`].
@@ -169,16 +169,16 @@ impl<'a> Verifier<'a> {
     /// When the device is lost.
     pub fn true_picture(&self, truth: &Truth) -> anyhow::Result<Vec<u8>> {
         let gpu = self.gpu;
-        self.stage.set_view(gpu, &truth.moment);
+        self.resources.set_view(gpu, &truth.moment);
         let in_shadow = |verdict: Verdict| u8::from(verdict == Verdict::Shadowed) * u8::MAX;
         let mask: Vec<u8> = truth.mask.verdicts().map(in_shadow).collect();
         gpu.attempt(|| {
             let mut frame = FrameRecorder::untimed(gpu);
-            self.stage.record_gbuffer(&mut frame);
+            self.resources.record_gbuffer(&mut frame);
             frame.submit();
-            self.stage.targets.write_mask(gpu, &mask);
+            self.resources.targets.write_mask(gpu, &mask);
             let mut frame = FrameRecorder::untimed(gpu);
-            self.stage.record_shade(&mut frame);
+            self.resources.record_shade(&mut frame);
             frame.submit();
             self.read_picture()
         })

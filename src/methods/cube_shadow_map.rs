@@ -192,7 +192,7 @@ impl PreparedCube {
         parameters: &MapParameters,
         light: Vec3,
     ) -> Result<Self, MethodError> {
-        let (gpu, resources) = (context.gpu, context.stage);
+        let (gpu, resources) = (context.gpu, context.resources);
         let data = CubeLight::new(light, &resources.extents, parameters);
         let uniform = |contents: &[u8]| {
             let usage = wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST;

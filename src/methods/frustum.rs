@@ -111,20 +111,29 @@ impl Extent {
     }
 }
 
-impl LightFrustum {
-    /// The vertices of everything in `mesh` that casts.
-    pub(super) fn caster_vertices(mesh: &Mesh) -> Vec<Vec3> {
-        let vertices = |object: &Object| &mesh.positions[object.vertex_range()];
-        mesh.casters().flat_map(vertices).copied().collect()
-    }
+/// The vertices of everything that casts: all that a frustum depends on beside the light.
+pub(super) struct CasterVertices {
+    positions: Vec<Vec3>,
+    bounds: Extent,
+}
 
-    /// Covers all `vertices` of casters; those that lie outside the widest frustum (beside or
-    /// behind a point light among the casters) are left out. `None` if none can be covered.
-    pub(super) fn around(vertices: &[Vec3], light: Vec4) -> Option<Self> {
-        let bounds = vertices
+impl CasterVertices {
+    pub(super) fn of(mesh: &Mesh) -> Self {
+        let vertices = |object: &Object| &mesh.positions[object.vertex_range()];
+        let positions: Vec<_> = mesh.casters().flat_map(vertices).copied().collect();
+        let bounds = positions
             .par_iter()
             .fold(|| Extent::EMPTY, |extent, p| extent.with(p.as_dvec3()))
             .reduce(|| Extent::EMPTY, Extent::union);
+        Self { positions, bounds }
+    }
+}
+
+impl LightFrustum {
+    /// Covers all vertices of `casters`; those that lie outside the widest frustum (beside or
+    /// behind a point light among the casters) are left out. `None` if none can be covered.
+    pub(super) fn around(casters: &CasterVertices, light: Vec4) -> Option<Self> {
+        let bounds = casters.bounds;
         let centre = (bounds.low + bounds.high) / 2.0;
         let is_point = light.w != 0.0;
         let position = light.truncate().as_dvec3();
@@ -143,7 +152,8 @@ impl LightFrustum {
             (local.z > 0.0 && tangents.truncate().abs().max_element() <= max_tangent)
                 .then_some(tangents)
         };
-        let extent = vertices
+        let extent = casters
+            .positions
             .par_iter()
             .filter_map(|p| window(p.as_dvec3()))
             .fold(|| Extent::EMPTY, Extent::with)
@@ -244,8 +254,7 @@ mod tests {
             Vec4::new(3.0, 40.0, 5.0, 1.0),
             Vec4::new(0.3, 1.0, 0.2, 0.0),
         ] {
-            let frustum =
-                LightFrustum::around(&LightFrustum::caster_vertices(&mesh), light).expect("covers");
+            let frustum = LightFrustum::around(&CasterVertices::of(&mesh), light).expect("covers");
             assert_eq!(frustum.covered, 1.0);
             let casters = mesh
                 .casters()
@@ -272,8 +281,7 @@ mod tests {
         .mesh()
         .expect("valid grid");
         let light = Vec4::new(0.0, 3.0, 0.0, 1.0);
-        let frustum = LightFrustum::around(&LightFrustum::caster_vertices(&mesh), light)
-            .expect("covers some");
+        let frustum = LightFrustum::around(&CasterVertices::of(&mesh), light).expect("covers some");
         assert!(
             frustum.covered > 0.1 && frustum.covered < 1.0,
             "{}",

@@ -164,7 +164,7 @@ impl Lookup {
         light: &wgpu::Buffer,
         pcf: u32,
     ) -> Self {
-        let PrepareContext { gpu, stage, .. } = context;
+        let PrepareContext { gpu, resources, .. } = context;
         let depth = texture_binding(wgpu::TextureSampleType::Depth);
         let map_binding = wgpu::BindingType::Texture {
             sample_type: wgpu::TextureSampleType::Depth,
@@ -174,7 +174,7 @@ impl Lookup {
         let uniform = buffer_binding(wgpu::BufferBindingType::Uniform);
         let texture = wgpu::BindingResource::TextureView;
         let inputs = [
-            (depth, texture(&stage.targets.depth_only_view)),
+            (depth, texture(&resources.targets.depth_only_view)),
             (map_binding, texture(map)),
             (uniform, light.as_entire_binding()),
         ];
@@ -184,7 +184,7 @@ impl Lookup {
             constants: &[("pcf", f64::from(pcf))],
             inputs: &inputs,
         };
-        Self(MaskPass::new(&gpu.device, stage, &lookup))
+        Self(MaskPass::new(&gpu.device, resources, &lookup))
     }
 
     /// Records the stage `lookup`.

@@ -112,17 +112,17 @@ pub struct PrepareContext<'a> {
     /// The scene as data.
     pub scene: &'a Scene,
     /// The scene on the device, targets and view.
-    pub stage: &'a FrameResources,
+    pub resources: &'a FrameResources,
     topology: Rc<OnceCell<Topology>>,
 }
 
 impl<'a> PrepareContext<'a> {
     /// For the methods of one scene.
-    pub fn new(gpu: &'a Gpu, scene: &'a Scene, stage: &'a FrameResources) -> Self {
+    pub fn new(gpu: &'a Gpu, scene: &'a Scene, resources: &'a FrameResources) -> Self {
         Self {
             gpu,
             scene,
-            stage,
+            resources,
             topology: Rc::default(),
         }
     }
@@ -131,24 +131,15 @@ impl<'a> PrepareContext<'a> {
     pub fn sharing(
         gpu: &'a Gpu,
         scene: &'a Scene,
-        stage: &'a FrameResources,
+        resources: &'a FrameResources,
         topology: &Rc<OnceCell<Topology>>,
     ) -> Self {
         let topology = Rc::clone(topology);
         Self {
             gpu,
             scene,
-            stage,
+            resources,
             topology,
-        }
-    }
-
-    /// The same for methods whose frames are drawn on another stage.
-    pub fn on(&self, stage: &'a FrameResources) -> Self {
-        Self {
-            stage,
-            topology: Rc::clone(&self.topology),
-            ..*self
         }
     }
 
@@ -156,11 +147,6 @@ impl<'a> PrepareContext<'a> {
     pub fn topology(&self) -> &Topology {
         self.topology
             .get_or_init(|| Topology::build(&self.scene.mesh))
-    }
-
-    /// The topology if any method has asked for it.
-    pub fn topology_if_built(&self) -> Option<&Topology> {
-        self.topology.get()
     }
 }
 

@@ -3,7 +3,7 @@
 //! method that silhouettes are compared with in table 3).
 
 use super::depth_map::{self, DepthMap, MapKind, MapParameters};
-use super::frustum::LightFrustum;
+use super::frustum::{CasterVertices, LightFrustum};
 use super::light_depth::{self, LightView, Lookup, Rounding};
 use super::{Bound, Limit, MethodError, MethodInfo, PrepareContext};
 use crate::frame::fullscreen::bind_group;
@@ -12,7 +12,7 @@ use crate::geometry::Bounds;
 use crate::metrics::Label;
 use anyhow::Context;
 use bytemuck::{Pod, Zeroable};
-use glam::{DVec3, Vec3, Vec4};
+use glam::{DVec3, Vec4};
 
 /// What the method is.
 pub(super) static INFO: MethodInfo = MethodInfo {
@@ -53,12 +53,12 @@ impl MapKind for OneView {
         context: &PrepareContext<'_>,
         map: &MapParameters,
     ) -> Result<Box<dyn PreparedMethod>, MethodError> {
-        let vertices = LightFrustum::caster_vertices(&context.scene.mesh);
+        let casters = CasterVertices::of(&context.scene.mesh);
         let light = context.scene.flight.at(0.0).light.place;
-        let frustum = LightFrustum::around(&vertices, light)
+        let frustum = LightFrustum::around(&casters, light)
             .ok_or_else(|| MethodError::Unavailable(NOTHING_BEFORE_THE_LIGHT.to_owned()))?;
         let fit = Fit { light, frustum };
-        Ok(Box::new(PreparedMap::new(context, map, vertices, fit)?))
+        Ok(Box::new(PreparedMap::new(context, map, casters, fit)?))
     }
 }
 
@@ -86,7 +86,7 @@ struct PreparedMap {
     light: wgpu::BindGroup,
     light_buffer: wgpu::Buffer,
     lookup: Lookup,
-    vertices: Vec<Vec3>,
+    casters: CasterVertices,
     fit: Fit,
     parameters: MapParameters,
 }
@@ -95,11 +95,11 @@ impl PreparedMap {
     fn new(
         context: &PrepareContext<'_>,
         parameters: &MapParameters,
-        vertices: Vec<Vec3>,
+        casters: CasterVertices,
         fit: Fit,
     ) -> Result<Self, MethodError> {
         let gpu = context.gpu;
-        let light = LookupLight::new(&fit.frustum, parameters, context.stage.extents.scene);
+        let light = LookupLight::new(&fit.frustum, parameters, context.resources.extents.scene);
         let usage = wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST;
         let light = gpu.buffer("a light", bytemuck::bytes_of(&light), usage)?;
         let map = light_depth::texture(gpu, parameters.resolution, 1)?
@@ -115,7 +115,7 @@ impl PreparedMap {
             map,
             pipeline,
             parameters: *parameters,
-            vertices,
+            casters,
             fit,
         })
     }
@@ -144,7 +144,7 @@ impl PreparedMap {
         }
         let scene = frame.resources().extents.scene;
         frame.stage("fit", |stage| {
-            let frustum = stage.on_processor(|| LightFrustum::around(&self.vertices, light));
+            let frustum = stage.on_processor(|| LightFrustum::around(&self.casters, light));
             let frustum = frustum.context(NOTHING_BEFORE_THE_LIGHT)?;
             let data = LookupLight::new(&frustum, &self.parameters, scene);
             self.fit = Fit { light, frustum };

@@ -7,7 +7,7 @@
 use super::limit::PRECISION_LIMIT;
 use super::volume_parameters::{Counting, VolumeParameters};
 use super::{Bound, Limit, MethodError, PrepareContext};
-use crate::frame::{Frame, PreparedMethod, StencilResolve};
+use crate::frame::{Frame, PreparedMethod, SceneBuffers, StencilResolve};
 use crate::geometry::Bounds;
 use crate::gpu::Capability;
 use crate::gpu::native::{
@@ -141,13 +141,24 @@ pub(super) struct Faces {
     pub in_z_pass: bool,
 }
 
+impl Faces {
+    fn input(&self) -> VertexInput {
+        match self.indices {
+            Some(_) => VertexInput::Positions {
+                stride: SceneBuffers::VERTEX_STRIDE as u32,
+            },
+            None => VertexInput::Numbers,
+        }
+    }
+}
+
 /// Faces that `stages` make of each casting triangle, given as its three vertices.
 pub(super) fn of_triangles(
     context: &PrepareContext<'_>,
     topology: PrimitiveTopology,
     stages: Vec<Spirv>,
 ) -> Faces {
-    let scene = &context.stage.scene;
+    let scene = &context.resources.scene;
     let elements = |triangles: &Range<u32>| 3 * triangles.start..3 * triangles.end;
     Faces {
         stages,
@@ -169,7 +180,7 @@ pub(super) fn caps(context: &PrepareContext<'_>, parameters: &VolumeParameters) 
         ],
         topology: PrimitiveTopology::Points,
         indices: None,
-        draws: context.stage.scene.casters.clone(),
+        draws: context.resources.scene.casters.clone(),
         z_fail: parameters.front_cap_raster(),
         in_z_pass: false,
     }
@@ -203,28 +214,22 @@ impl StencilVolumes {
         faces: Vec<Faces>,
         counters: Vec<(&'static str, u64)>,
     ) -> Result<Self, MethodError> {
-        let PrepareContext { gpu, stage, .. } = context;
+        let PrepareContext { gpu, resources, .. } = context;
         let device = &gpu.device;
         let counting = parameters.counting;
-        let target = Target::new(device, &stage.targets.depth, parameters.depth)?;
+        let target = Target::new(device, &resources.targets.depth, parameters.depth)?;
         let mut bound = vec![
-            (BindingKind::Uniform, &stage.uniform.buffer),
-            (BindingKind::Storage, &stage.scene.positions),
-            (BindingKind::Storage, &stage.scene.indices),
+            (BindingKind::Uniform, &resources.uniform.buffer),
+            (BindingKind::Storage, &resources.scene.positions),
+            (BindingKind::Storage, &resources.scene.indices),
         ];
         bound.extend(buffers.iter().map(|buffer| (BindingKind::Storage, buffer)));
         let bindings = Bindings::new(device, &bound)?;
         let prepare = |faces: Faces| {
             let pipeline = |raster| {
-                let input = match faces.indices {
-                    Some(_) => VertexInput::Positions {
-                        stride: crate::frame::SceneBuffers::VERTEX_STRIDE as u32,
-                    },
-                    None => VertexInput::Numbers,
-                };
                 let desc = PipelineDesc {
                     stages: &faces.stages,
-                    input,
+                    input: faces.input(),
                     topology: faces.topology,
                     raster,
                     push_back_px: parameters.push_back_px as f32,
@@ -242,7 +247,9 @@ impl StencilVolumes {
                 geometry: faces
                     .indices
                     .as_ref()
-                    .map(|indices| IndexedGeometry::new(device, &stage.scene.positions, indices))
+                    .map(|indices| {
+                        IndexedGeometry::new(device, &resources.scene.positions, indices)
+                    })
                     .transpose()?,
                 draws: faces.draws,
             })

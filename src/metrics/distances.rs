@@ -1,6 +1,5 @@
 //! How far from the true shadow edge wrong pixels lie.
 
-use super::metric::{Compute, Metric, OverFrames};
 use imageproc::distance_transform::euclidean_squared_distance_transform;
 use imageproc::image::{GrayImage, Luma};
 
@@ -95,29 +94,6 @@ impl MaskComparison<'_> {
         distances
     }
 }
-
-/// See [`super::METRICS`].
-pub(super) const METRICS: &[Metric] = &[
-    Metric {
-        name: "distance",
-        unit: "px",
-        words: "wrong, by the distance from the true shadow boundary: each class is named by its largest distance in pixels",
-        over_frames: OverFrames::Sum,
-        of: Compute::Each(|f| {
-            f.distances
-                .classes()
-                .map(|(class, px)| (class, px as f64))
-                .collect()
-        }),
-    },
-    Metric {
-        name: "distance_px_max",
-        unit: "px",
-        words: "distance of the farthest wrong pixel; none where nothing is wrong or the picture has no boundary",
-        over_frames: OverFrames::Max,
-        of: Compute::One(|f| f.distances.max_px),
-    },
-];
 
 #[cfg(test)]
 mod tests {

@@ -1,7 +1,6 @@
 //! Errors in time: surface points that turn from right to wrong or back while the eye moves.
 
 use super::mask_error::{MaskComparison, PixelResult};
-use super::metric::{Compute, Metric, OverFrames};
 use crate::reference::{Motion, Verdict};
 
 /// How steady a method's errors are from one picture to the next.
@@ -41,24 +40,6 @@ impl Flicker {
         flicker
     }
 }
-
-/// See [`super::METRICS`].
-pub(super) const METRICS: &[Metric] = &[
-    Metric {
-        name: "followed_px",
-        unit: "px",
-        words: "surface points that the next frame shows too, with the same truth",
-        over_frames: OverFrames::Sum,
-        of: Compute::One(|f| Some(f.flicker?.followed_px as f64)),
-    },
-    Metric {
-        name: "flicker_px",
-        unit: "px",
-        words: "of these, the ones that turn from right to wrong or back",
-        over_frames: OverFrames::Sum,
-        of: Compute::One(|f| Some(f.flicker?.flicker_px as f64)),
-    },
-];
 
 #[cfg(test)]
 mod tests {

@@ -1,6 +1,5 @@
 //! How different two pictures look to a person.
 
-use super::metric::{Compute, Metric, OverFrames};
 use nv_flip::{DEFAULT_PIXELS_PER_DEGREE, FlipImageRgb8};
 
 /// Pictures that are not of the size given.
@@ -59,15 +58,6 @@ pub fn mean_flip(
     .to_vec();
     Ok(errors.iter().map(|&error| f64::from(error)).sum::<f64>() / errors.len() as f64)
 }
-
-/// See [`super::METRICS`].
-pub(super) const METRICS: &[Metric] = &[Metric {
-    name: "flip",
-    unit: "",
-    words: "mean FLIP of the shaded picture, 0 alike to 1",
-    over_frames: OverFrames::Mean,
-    of: Compute::One(|f| f.flip),
-}];
 
 #[cfg(test)]
 mod tests {

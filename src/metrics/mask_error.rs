@@ -1,6 +1,5 @@
 //! How many pixels of a shadow mask are wrong, in which direction, and how far from the true edge.
 
-use super::metric::{Compute, Metric, OverFrames};
 use rayon::prelude::*;
 use serde::Serialize;
 use std::ops::{Add, AddAssign};
@@ -8,7 +7,7 @@ use std::ops::{Add, AddAssign};
 use crate::reference::{ReferenceMask, Verdict, Visibility};
 
 /// A mask value from which a pixel counts as in shadow.
-const SHADOWED_FROM: u8 = 128;
+pub const SHADOWED_FROM: u8 = 128;
 
 /// Counts of wrong pixels. `false_lit + false_shadowed` is the same as `boundary_px + artifact_px`,
 /// and `compared_px + ambiguous_px` is the size of the picture.
@@ -249,52 +248,6 @@ impl<'a> MaskComparison<'a> {
         error
     }
 }
-
-macro_rules! metric {
-    ($name:literal, $words:literal, $count:ident) => {
-        Metric {
-            name: $name,
-            unit: "px",
-            words: $words,
-            over_frames: OverFrames::Sum,
-            of: Compute::One(|f| Some(f.error.$count as f64)),
-        }
-    };
-}
-
-/// See [`super::METRICS`].
-pub(super) const METRICS: &[Metric] = &[
-    metric!(
-        "false_lit",
-        "lit, but in shadow by the reference",
-        false_lit
-    ),
-    metric!(
-        "false_shadowed",
-        "in shadow, but lit or background by the reference",
-        false_shadowed
-    ),
-    metric!(
-        "boundary_px",
-        "wrong, within one pixel of the true shadow boundary",
-        boundary_px
-    ),
-    metric!(
-        "artifact_px",
-        "wrong, farther than one pixel from the true shadow boundary",
-        artifact_px
-    ),
-    metric!(
-        "ambiguous_px",
-        "left out of all other counts, because the reference cannot decide",
-        ambiguous_px
-    ),
-    metric!(
-        "compared_px",
-        "all pixels but the ambiguous ones",
-        compared_px
-    ),
-];
 
 #[cfg(test)]
 mod tests {

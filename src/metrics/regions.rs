@@ -1,6 +1,5 @@
 //! Connected regions of artifact pixels.
 
-use super::metric::{Compute, Metric, OverFrames};
 use imageproc::image::{GrayImage, Luma};
 use imageproc::region_labelling::{Connectivity, connected_components};
 use std::cmp::Reverse;
@@ -107,31 +106,6 @@ pub(super) fn artifacts(comparison: &MaskComparison<'_>) -> Vec<Artifact> {
     regions.sort_by_key(|artifact| Reverse(artifact.region.size_px));
     regions
 }
-
-/// See [`super::METRICS`].
-pub(super) const METRICS: &[Metric] = &[
-    Metric {
-        name: "regions",
-        unit: "",
-        words: "connected regions of artifacts of one sign",
-        over_frames: OverFrames::Sum,
-        of: Compute::One(|f| Some(f.analysis.regions.len() as f64)),
-    },
-    Metric {
-        name: "largest_region_px",
-        unit: "px",
-        words: "size of the largest of them",
-        over_frames: OverFrames::Max,
-        of: Compute::One(|f| {
-            Some(
-                f.analysis
-                    .regions
-                    .first()
-                    .map_or(0.0, |region| region.size_px as f64),
-            )
-        }),
-    },
-];
 
 #[cfg(test)]
 mod tests {

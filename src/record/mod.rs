@@ -20,6 +20,7 @@
 //! | `bias.csv` | a [`BiasRow`] per cell whose bias was searched for |
 //! | `images/` | pictures, named by [`image_name`] |
 
+mod cell;
 mod counter_rows;
 mod errors;
 mod fault;
@@ -40,6 +41,7 @@ pub mod stress;
 mod stress_run;
 mod verified_frame;
 
+pub use cell::Cell;
 pub use counter_rows::{CounterRow, counter_rows};
 pub use errors::{BiasRow, RegionRow};
 pub(crate) use fault::{RunDirError, in_one_line};
@@ -51,7 +53,7 @@ pub use info::{
     SweepRecord,
 };
 pub use pairs::{pairs_from_text, pairs_to_text};
-pub use rows::{Cell, Sample, StageMs, Summary, summary_records};
+pub use rows::{Sample, StageMs, Summary, summary_records};
 pub use run::Run;
 pub(crate) use run::unique;
 pub use run_dir::new_directory;

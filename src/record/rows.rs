@@ -3,7 +3,7 @@
 use crate::variant::Variant;
 use serde::{Deserialize, Serialize};
 
-use super::{Status, VerifiedFrame};
+use super::{Cell, Status, VerifiedFrame};
 use crate::metrics::{METRICS, MetricValues};
 use crate::record::statistics::{mean, median, p95};
 use crate::table;
@@ -67,27 +67,6 @@ pub struct Sample {
     /// The method's stages, which stand in `stages.csv`.
     #[serde(skip)]
     pub stages: Vec<StageMs>,
-}
-
-/// One point of a run's matrix, measured or not.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct Cell {
-    /// Name of the scene.
-    pub scene: String,
-    /// Triangles that cast, where the scene could be loaded.
-    pub triangles: Option<u64>,
-    /// Objects that cast, where the scene could be loaded.
-    pub objects: Option<u64>,
-    /// Id of the method.
-    pub method: String,
-    /// Variant of the method.
-    pub variant: Variant,
-    /// Width of the picture in pixels.
-    pub width: u32,
-    /// Height of the picture in pixels.
-    pub height: u32,
-    /// What the method counted while it was prepared.
-    pub counters: Vec<(String, u64)>,
 }
 
 /// One cell: a row of `summary.csv`. Numbers are `None`, and their fields empty, where nothing was
@@ -219,7 +198,7 @@ pub fn summary_records(rows: &[Summary]) -> anyhow::Result<Vec<csv::StringRecord
         let mut header = records.iter().take(1).flatten();
         header.any(|known| known == name)
     };
-    for metric in METRICS.iter().copied().flatten() {
+    for metric in METRICS {
         let Some(column) = metric.column().filter(|column| !has(&records, column)) else {
             continue;
         };

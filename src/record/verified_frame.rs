@@ -1,5 +1,6 @@
 //! `metrics.csv`: what was found of each verified frame, a row for each metric.
 
+use super::Cell;
 use crate::metrics::{METRICS, MetricValues, find_metric};
 use crate::variant::Variant;
 use serde::{Deserialize, Serialize, Serializer};
@@ -27,6 +28,20 @@ pub struct VerifiedFrame {
 }
 
 impl VerifiedFrame {
+    /// Of a cell, without findings.
+    pub fn of(cell: &Cell, frame: u32, time_s: f64) -> Self {
+        Self {
+            scene: cell.scene.clone(),
+            method: cell.method.clone(),
+            variant: cell.variant.clone(),
+            width: cell.width,
+            height: cell.height,
+            frame,
+            time_s,
+            metrics: MetricValues::default(),
+        }
+    }
+
     /// A metric that counts pixels; 0 where it was not computed.
     pub fn px(&self, metric: &str) -> u64 {
         self.metrics.px(metric).unwrap_or(0)

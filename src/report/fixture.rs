@@ -337,14 +337,8 @@ fn frame_error(cell: &Cell, frame: u32, wrong_px: u64) -> VerifiedFrame {
         .map(|(name, value)| (name.to_owned(), value));
     let all = counts.chain(found).chain(far);
     VerifiedFrame {
-        scene: cell.scene.clone(),
-        method: cell.method.clone(),
-        variant: cell.variant.clone(),
-        width: cell.width,
-        height: cell.height,
-        frame,
-        time_s: 0.0,
         metrics: all.chain([("flip".to_owned(), 0.0125)]).collect(),
+        ..VerifiedFrame::of(cell, frame, 0.0)
     }
 }
 

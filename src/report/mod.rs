@@ -4,10 +4,10 @@
 //! can be made again at any time, by another version of the program, on another machine, and also
 //! for a run that was interrupted.
 //!
-//! One output a file: [`results`], [`pareto`], [`plots`], [`paper`], [`html`]. An output reads a [`Run`] and knows
+//! One output a file: `results`, `pareto`, `plots`, `paper`, `html`. An output reads a [`Run`] and knows
 //! nothing of the others, save that the page embeds the results, the papers and the plots. All tables are
-//! [`table`]s.
-//! [`merged`] puts several runs beside the paper; [`stability`] is about runs of another kind.
+//! `table`s.
+//! `merged` puts several runs beside the paper; [`stability`] is about runs of another kind.
 
 use std::path::{Path, PathBuf};
 use std::slice;

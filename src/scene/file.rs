@@ -1,9 +1,7 @@
 //! Scene files: TOML that names a mesh, a light and a camera path.
 
 use std::collections::HashSet;
-use std::fs;
-use std::ops::Range;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use serde::Deserialize;
 
@@ -14,7 +12,6 @@ use super::model_search::ModelSearch;
 use super::obj::{self, Model, Up};
 use super::scene_error::SceneError;
 use super::sphere_grid::SphereGrid;
-use super::wire::{FileWire, Misplaced};
 use crate::toml_error;
 
 /// A scene as its file describes it: checked, but without its triangles.
@@ -70,28 +67,6 @@ pub struct Expect {
 }
 
 impl SceneFile {
-    /// Reads and checks a scene file.
-    pub fn read(path: &Path) -> Result<Self, SceneError> {
-        let text = fs::read_to_string(path).map_err(|source| SceneError::Read {
-            path: path.to_owned(),
-            source,
-        })?;
-        Self::parse(&text, &path.to_string_lossy())
-    }
-
-    /// Checks the text of a scene file. Errors name the file so; the scene is named after its stem.
-    pub fn parse(text: &str, name_for_errors: &str) -> Result<Self, SceneError> {
-        let wire: FileWire = toml::from_str(text).map_err(|error| {
-            SceneError::Invalid(toml_error::describe(&error, text, name_for_errors))
-        })?;
-        let stem = Path::new(name_for_errors).file_stem().unwrap_or_default();
-        let place = |span: &Range<usize>| toml_error::place(span, text, name_for_errors);
-        wire.check(stem.to_string_lossy().into_owned(), &place)
-            .map_err(|Misplaced { span, message }| {
-                SceneError::Invalid(toml_error::at(&span, &message, text, name_for_errors))
-            })
-    }
-
     /// The same scene with another sphere grid: each number that is given replaces the file's.
     pub fn with_sphere_grid(
         mut self,

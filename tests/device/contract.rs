@@ -39,9 +39,7 @@ fn resources(gpu: &Gpu) -> FrameResources {
 
 /// Draws a frame that follows the one before, and gives its mask.
 fn next_mask(gpu: &Gpu, resources: &FrameResources, method: &mut dyn PreparedMethod) -> Vec<u8> {
-    let frame = resources.record(FrameRecorder::untimed(gpu), method);
-    frame.unwrap().submit();
-    readback::read_texture(gpu, &resources.targets.mask).unwrap()
+    resources.draw_next_mask(gpu, method).unwrap()
 }
 
 /// The times of so many frames.
@@ -54,11 +52,11 @@ fn times(
     let mut timer = FrameTimer::new(gpu);
     let mut done = Vec::new();
     for _ in 0..frames {
-        let frame = timer.frame(gpu, (), |recorder| resources.record(recorder, method));
+        let frame = timer.frame(gpu, |recorder| resources.record(recorder, method));
         done.extend(frame.unwrap());
     }
     done.extend(timer.finish(gpu).unwrap());
-    done.into_iter().map(|((), times)| times).collect()
+    done
 }
 
 fn triangle_ids(gpu: &Gpu, resources: &FrameResources) -> Vec<u32> {

@@ -66,9 +66,9 @@ fn auto_is_z_fail_with_fewer_draws() {
     let draw_calls = |method: &mut dyn PreparedMethod| {
         let mut timer = FrameTimer::new(&gpu);
         timer
-            .frame(&gpu, (), |frame| stage.record(frame, method))
+            .frame(&gpu, |frame| stage.record(frame, method))
             .unwrap();
-        timer.finish(&gpu).unwrap()[0].1.draw_calls
+        timer.finish(&gpu).unwrap()[0].draw_calls
     };
 
     let mut random = ChaCha8Rng::seed_from_u64(7);

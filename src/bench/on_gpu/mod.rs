@@ -62,7 +62,7 @@ struct GpuSession<'a> {
     traced: Option<Traced>,
     /// What is true where biases are tried.
     bias_truths: Vec<(DepthSetup, Rc<[Truth]>)>,
-    timer: FrameTimer<()>,
+    timer: FrameTimer,
     /// The time of the flight that frames with a depth buffer show, since measuring began.
     shown: Vec<(DepthSetup, f64)>,
 }
@@ -189,7 +189,7 @@ impl Session for GpuSession<'_> {
                 shown.retain(|(setup, _)| *setup != depth);
                 shown.push((depth, *time_s));
             }
-            let done = timer.frame(gpu, (), |frame| {
+            let done = timer.frame(gpu, |frame| {
                 ready.resources.record(frame, ready.method.as_mut())
             })?;
             anyhow::ensure!(done.is_none(), "there was no room for another frame");
@@ -201,8 +201,7 @@ impl Session for GpuSession<'_> {
         let Self { device, timer, .. } = self;
         contain(&device.gpu, deadline, || {
             let done = timer.finish_one(&device.gpu)?;
-            let ((), times) = done.context("no frame is under way")?;
-            Ok(times)
+            done.context("no frame is under way")
         })
     }
 

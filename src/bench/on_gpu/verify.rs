@@ -104,14 +104,8 @@ impl Traced {
 
     fn row(&self, cell: &Cell, frame: u32, metrics: MetricValues) -> VerifiedFrame {
         VerifiedFrame {
-            scene: cell.scene.clone(),
-            method: cell.method.clone(),
-            variant: cell.variant.clone(),
-            width: cell.width,
-            height: cell.height,
-            frame,
-            time_s: self.time_s,
             metrics,
+            ..VerifiedFrame::of(cell, frame, self.time_s)
         }
     }
 }

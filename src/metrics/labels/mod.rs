@@ -22,7 +22,6 @@ mod whole_frame;
 #[cfg(test)]
 mod tests;
 
-use super::metric::{Compute, Metric, OverFrames};
 use rayon::prelude::*;
 
 use super::label::Label;
@@ -149,17 +148,3 @@ fn label_regions(frame: &Frame<'_>, artifacts: &mut [Artifact], staircase: Optio
             });
     }
 }
-
-/// See [`crate::metrics::METRICS`].
-pub(in crate::metrics) const METRICS: &[Metric] = &[Metric {
-    name: "label",
-    unit: "px",
-    words: "wrong, by the kind of error; boundary pixels without a kind are in none",
-    over_frames: OverFrames::Sum,
-    of: Compute::Each(|f| {
-        f.analysis
-            .label_counts()
-            .map(|(kind, px)| (kind, px as f64))
-            .collect()
-    }),
-}];

@@ -3,7 +3,9 @@
 mod flight;
 mod mesh;
 
+use std::fs;
 use std::ops::Range;
+use std::path::Path;
 
 use serde::Deserialize;
 use toml::Spanned;
@@ -12,11 +14,37 @@ use self::flight::{CameraWire, LightWire};
 use self::mesh::MeshWire;
 use super::file::{Expect, SceneFile};
 use super::flight::Flight;
+use super::scene_error::SceneError;
+use crate::toml_error;
+
+impl SceneFile {
+    /// Reads and checks a scene file.
+    pub fn read(path: &Path) -> Result<Self, SceneError> {
+        let text = fs::read_to_string(path).map_err(|source| SceneError::Read {
+            path: path.to_owned(),
+            source,
+        })?;
+        Self::parse(&text, &path.to_string_lossy())
+    }
+
+    /// Checks the text of a scene file. Errors name the file so; the scene is named after its stem.
+    pub fn parse(text: &str, name_for_errors: &str) -> Result<Self, SceneError> {
+        let wire: FileWire = toml::from_str(text).map_err(|error| {
+            SceneError::Invalid(toml_error::describe(&error, text, name_for_errors))
+        })?;
+        let stem = Path::new(name_for_errors).file_stem().unwrap_or_default();
+        let place = |span: &Range<usize>| toml_error::place(span, text, name_for_errors);
+        wire.check(stem.to_string_lossy().into_owned(), &place)
+            .map_err(|Misplaced { span, message }| {
+                SceneError::Invalid(toml_error::at(&span, &message, text, name_for_errors))
+            })
+    }
+}
 
 /// Something that cannot be, and the part of the text that says it.
-pub(super) struct Misplaced {
-    pub(super) span: Range<usize>,
-    pub(super) message: String,
+struct Misplaced {
+    span: Range<usize>,
+    message: String,
 }
 
 fn misplaced<T>(what: &Spanned<T>, message: &impl ToString) -> Misplaced {
@@ -28,7 +56,7 @@ fn misplaced<T>(what: &Spanned<T>, message: &impl ToString) -> Misplaced {
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(super) struct FileWire {
+struct FileWire {
     title: String,
     mesh: MeshWire,
     expect: Option<Expect>,
@@ -38,7 +66,7 @@ pub(super) struct FileWire {
 
 impl FileWire {
     /// `place` says in words where a span is, for what only the model can show to be wrong.
-    pub(super) fn check(
+    fn check(
         self,
         name: String,
         place: &dyn Fn(&Range<usize>) -> String,
