@@ -24,6 +24,7 @@ use crate::metrics;
 use crate::reference::ReferenceCache;
 use crate::report::LegendEntry;
 use clap::{Args, Parser, Subcommand};
+use std::ffi::OsString;
 use std::process::ExitCode;
 
 /// Exit code for a wrong command line or configuration.
@@ -109,7 +110,15 @@ fn check_size(gpu: &Gpu, (width, height): (u32, u32), place: &str) -> Result<(),
 /// The whole program with the methods of `registry`: parses the command line, does what it says, and prints what went
 /// wrong.
 pub fn main(registry: &Registry) -> ExitCode {
-    let done = match Cli::try_parse() {
+    main_with(std::env::args_os(), registry)
+}
+
+/// The same with a command line of the caller's; its first word is the program's name.
+pub fn main_with<I>(line: I, registry: &Registry) -> ExitCode
+where
+    I: IntoIterator<Item: Into<OsString> + Clone>,
+{
+    let done = match Cli::try_parse_from(line) {
         Ok(cli) => cli.execute(registry),
         // Help is what was asked for, or else what is wrong with the command line.
         Err(help) if help.use_stderr() => {

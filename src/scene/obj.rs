@@ -16,6 +16,7 @@ use super::obj_checks::{self, Checked};
 use super::obj_notes::{Shapes, size_note, unread_note};
 pub use super::obj_problem::ObjProblem;
 use super::obj_text;
+use super::other_kind::other_kind;
 use super::part::Part;
 use super::polygon;
 
@@ -114,7 +115,7 @@ pub struct Model {
 /// that are at the same place become one. Material files are not read.
 pub fn load(path: &Path, up: Up) -> Result<Model, ObjError> {
     let bytes = read(path)?;
-    if let Some((what, advice)) = obj_text::other_kind(&bytes) {
+    if let Some((what, advice)) = other_kind(&bytes) {
         let path = path.to_owned();
         return Err(ObjError::OtherKind { path, what, advice });
     }
