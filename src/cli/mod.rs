@@ -44,21 +44,21 @@ pub struct Cli {
 enum Command {
     /// Measure and verify what a configuration names, and write a report.
     Run(run::RunArgs),
-    /// As run, but verify every few frames, and look for flicker and visible difference too.
+    /// Like run, but verify every few frames, and measure flicker and visible difference (FLIP) as well.
     Accuracy(accuracy::AccuracyArgs),
     /// Draw one frame with one method, and compare it with the truth.
     Render(render::RenderArgs),
     /// Shrink a scene that a method draws wrong to the few triangles that matter.
     Minimise(minimise::MinimiseArgs),
-    /// Try methods on causes of failure, and say where each fails first.
+    /// Test methods on known causes of failure, and find where each one first fails.
     Stress(stress::StressArgs),
-    /// Try methods on random scenes.
+    /// Test methods on random scenes.
     Fuzz(fuzz::FuzzArgs),
-    /// Change scenes in ways that do not change their shadow, and look whether a mask changes.
+    /// Transform scenes in ways that must not change their shadows, and check that the masks stay the same.
     Metamorphic(metamorphic::MetamorphicArgs),
     /// List methods, scenes, causes of failure and devices.
     List(list::ListArgs),
-    /// Write the report of a run directory again, or one of several runs together.
+    /// Write the report of a run again, or merge several runs into one report.
     Report(report::ReportArgs),
 }
 

@@ -83,9 +83,9 @@ impl RenderArgs {
 }
 
 /// Numbers by name.
-type Counts = serde_json::Map<String, serde_json::Value>;
+type NumbersByName = serde_json::Map<String, serde_json::Value>;
 
-fn counts<'a>(counts: impl Iterator<Item = (&'a str, u64)>) -> Counts {
+fn counts<'a>(counts: impl Iterator<Item = (&'a str, u64)>) -> NumbersByName {
     counts
         .map(|(name, count)| (name.to_owned(), count.into()))
         .collect()
@@ -104,13 +104,13 @@ struct Output<'a> {
     errors: MaskError,
     /// Of the wrong pixels, those that no tie excuses.
     hard_px: usize,
-    labels: Counts,
-    distances_px: Counts,
+    labels: NumbersByName,
+    distances_px: NumbersByName,
     frame_ms: f64,
     cpu_ms: f64,
     record_ms: f64,
     draw_calls: u32,
-    stages_ms: Counts,
+    stages_ms: NumbersByName,
     warnings: Vec<String>,
 }
 
@@ -187,7 +187,7 @@ fn times_of_next(
         .context("the frame's times got lost")
 }
 
-fn stages(times: &FrameTimes) -> Counts {
+fn stages(times: &FrameTimes) -> NumbersByName {
     times
         .stages
         .iter()

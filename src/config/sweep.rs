@@ -26,7 +26,7 @@ impl Axis<'_> {
 }
 
 /// One method of a table of lists.
-pub(super) struct Point<'a> {
+pub(super) struct SweepPoint<'a> {
     /// Its parameters.
     pub table: DeTable<'a>,
     /// The curve that it is on, by the parameters of the curve.
@@ -56,7 +56,7 @@ impl<'a> OnCurve<'a> {
 /// (the first by name, of several); the other lists tell curves apart.
 pub(super) fn expand<R>(
     table: DeTable<'_>,
-    read: impl FnMut(Point<'_>) -> Result<R, Misplaced>,
+    read: impl FnMut(SweepPoint<'_>) -> Result<R, Misplaced>,
 ) -> Result<Vec<R>, Misplaced> {
     // The values of ranges stand nowhere in the file: their text has to live until they are read.
     let ranges = table
@@ -99,7 +99,7 @@ pub(super) fn expand<R>(
                 }
             }
         }
-        Point {
+        SweepPoint {
             table,
             on: on.map(|(parameter, value)| OnCurve {
                 table: curve,

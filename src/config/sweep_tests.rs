@@ -16,7 +16,7 @@ fn points(text: &str) -> Result<Vec<Described>, String> {
         });
         pairs.collect::<Vec<_>>().join(",")
     };
-    let read = |point: Point<'_>| {
+    let read = |point: SweepPoint<'_>| {
         let sweep = point.on.map(|on| (describe(&on.table), on.value));
         Ok((describe(&point.table), sweep))
     };

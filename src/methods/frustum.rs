@@ -78,7 +78,7 @@ struct Extent {
 }
 
 /// What a matrix is made for.
-struct Fit {
+struct FrustumFit {
     extent: Extent,
     /// The longest side of the casters' box.
     longest: f64,
@@ -179,7 +179,7 @@ impl LightFrustum {
         };
         let extent = casters.window(&axes, is_point)?;
         let origin = centre.as_vec3();
-        let fit = Fit {
+        let fit = FrustumFit {
             extent,
             longest: (bounds.high - bounds.low).max_element(),
             is_point,
@@ -197,7 +197,7 @@ impl LightFrustum {
     }
 }
 
-impl Fit {
+impl FrustumFit {
     /// The rows of the matrix.
     fn rows(&self, axes: &Axes) -> [DVec4; 4] {
         let Extent { low, high, .. } = self.extent;

@@ -186,7 +186,7 @@ fn read(path: &Path) -> Result<Vec<u8>, ObjError> {
 }
 
 /// An object or group: polygons of its own vertices.
-struct Object<'a> {
+struct ObjObject<'a> {
     model: tobj::Model,
     /// Where each polygon is written.
     lines: &'a [usize],
@@ -196,7 +196,7 @@ struct Object<'a> {
 ///
 /// # Panics
 /// When a check has let pass what `tobj` refuses.
-fn objects(checked: &Checked) -> Vec<Object<'_>> {
+fn objects(checked: &Checked) -> Vec<ObjObject<'_>> {
     let as_written = tobj::LoadOptions::default();
     let no_materials = |_: &Path| Ok(Default::default());
     let (models, _) = tobj::load_obj_buf(&mut checked.text.as_bytes(), &as_written, no_materials)
@@ -210,12 +210,12 @@ fn objects(checked: &Checked) -> Vec<Object<'_>> {
         };
         let (lines, after) = rest.split_at(polygons);
         rest = after;
-        Object { model, lines }
+        ObjObject { model, lines }
     };
     models.into_iter().map(object).collect()
 }
 
-impl Object<'_> {
+impl ObjObject<'_> {
     fn part(&self, up: Up) -> (Part, Shapes) {
         let mesh = &self.model.mesh;
         let positions = mesh.positions.as_chunks().0.iter();
