@@ -3,7 +3,7 @@
 use anyhow::Result;
 use maud::{Markup, html};
 
-use super::pictures::{Album, Source, legend_list};
+use super::pictures::{Album, Picture, legend_list};
 use super::shell::{Section, note};
 use crate::record::{IMAGES_DIR, ImageKind, Summary};
 use crate::report::LegendEntry;
@@ -28,33 +28,28 @@ pub(super) fn section(
     clouds: &[Cloud],
     legend: &[LegendEntry],
 ) -> Result<Option<Section>> {
-    let album = album(run, clouds);
-    let mut scenes = Vec::new();
-    for scene in run.scenes() {
-        scenes.extend(scene_gallery(run, scene, &album, legend)?);
-    }
+    let album = album(run, clouds)?;
     let content = html! {
         (note("Click a picture, or move the focus to it, to see it large."))
-        @if !album.is_whole { (note(include_str!("notes/too_many_pictures.html"))) }
-        @for scene in &scenes { (scene) }
+        @if !album.is_whole() { (note(include_str!("notes/too_many_pictures.html"))) }
+        @for scene in run.scenes() { (gallery(run, scene, &album, legend)) }
     };
-    Ok((!scenes.is_empty()).then(|| Section::new("pictures", "Pictures", content)))
+    Ok((!album.is_empty()).then(|| Section::new("pictures", "Pictures", content)))
 }
 
 /// The references, then the cells of the front, then the first of each curve, then the others.
-fn album(run: &Run, clouds: &[Cloud]) -> Album {
+fn album(run: &Run, clouds: &[Cloud]) -> Result<Album> {
     let curves = Curves::of(run);
-    let rows = run.scenes().into_iter().flat_map(|scene| run.rows(scene));
-    let mut cells: Vec<&Summary> = rows.collect();
+    let scenes = run.scenes();
+    let mut cells: Vec<&Summary> = scenes.iter().flat_map(|scene| run.rows(scene)).collect();
     cells.sort_by_cached_key(|row| {
         let contender = run.contender(row);
         let is_on_front = is_on_front(clouds, row, &contender);
         (!is_on_front, !is_on_front && !is_first(&curves, &contender))
     });
-    let references = run.scenes().into_iter();
-    let references = references.map(|scene| vec![reference(run, scene)]);
+    let references = scenes.iter().map(|scene| vec![reference(run, scene)]);
     let cells = cells.into_iter().map(|row| names(run, row).to_vec());
-    Album::new(&run.dir, IMAGES_DIR, references.chain(cells))
+    Album::read(&run.dir, IMAGES_DIR, references.chain(cells))
 }
 
 fn is_on_front(clouds: &[Cloud], row: &Summary, contender: &Contender) -> bool {
@@ -79,65 +74,55 @@ fn names(run: &Run, row: &Summary) -> [String; KINDS.len()] {
     KINDS.map(|(kind, ..)| run.image(&row.scene, &row.method, &row.variant, kind))
 }
 
-fn scene_gallery(
-    run: &Run,
-    scene: &str,
-    album: &Album,
-    legend: &[LegendEntry],
-) -> Result<Option<Markup>> {
+/// The pictures of a scene; nothing where there are none.
+fn gallery(run: &Run, scene: &str, album: &Album, legend: &[LegendEntry]) -> Markup {
     let title = run.scene_title(scene);
     let alt = format!("{title}: shadow mask by the ray-traced reference");
-    let reference = figure(run, album, &reference(run, scene), "Reference mask", &alt)?;
-    let mut strips = Vec::new();
-    for row in run.rows(scene) {
-        strips.extend(strip(run, title, row, album)?);
-    }
-    let gallery = html! {
-        article.gallery {
-            h3 { (title) }
-            div.strip {
-                @if let Some(reference) = &reference { (reference) }
-                @if !legend.is_empty() { (legend_list(legend)) }
+    let reference = album.get(&reference(run, scene));
+    let strips = html! { @for row in run.rows(scene) { (strip(run, title, row, album)) } };
+    html! {
+        @if reference.is_some() || !strips.0.is_empty() {
+            article.gallery {
+                h3 { (title) }
+                div.strip {
+                    @if let Some(picture) = reference { (figure(run, picture, "Reference mask", &alt)) }
+                    @if !legend.is_empty() { (legend_list(legend)) }
+                }
+                (strips)
             }
-            @for strip in &strips { (strip) }
         }
-    };
-    Ok((reference.is_some() || !strips.is_empty()).then_some(gallery))
+    }
 }
 
-/// The pictures of one method in one scene: side by side; links in a line. None where there are none.
-fn strip(run: &Run, scene: &str, row: &Summary, album: &Album) -> Result<Option<Markup>> {
+/// The pictures of one method in one scene: side by side; links in a line.
+fn strip(run: &Run, scene: &str, row: &Summary, album: &Album) -> Markup {
     let contender = run.contender(row);
     let label = contender.label();
-    let names = names(run, row);
-    let mut figures = Vec::new();
-    for ((_, caption, what), name) in KINDS.iter().zip(&names) {
-        let alt = format!("{scene}, {label}: {what}");
-        figures.extend(figure(run, album, name, caption, &alt)?);
-    }
-    let strip = html! {
-        h4 { (run.method_title(&contender)) " " code { (label) } }
-        div class=(if album.holds(&names[0]) { "strip" } else { "links" }) {
-            @for figure in &figures { (figure) }
+    let names = names(run, row).into_iter().zip(KINDS);
+    let pictures = names.filter_map(|(name, kind)| Some((album.get(&name)?, kind)));
+    let pictures: Vec<(&Picture, _)> = pictures.collect();
+    let is_held = pictures.iter().any(|(picture, _)| picture.is_held);
+    html! {
+        @if !pictures.is_empty() {
+            h4 { (run.method_title(&contender)) " " code { (label) } }
+            div class=(if is_held { "strip" } else { "links" }) {
+                @for (picture, (_, caption, what)) in pictures {
+                    (figure(run, picture, caption, &format!("{scene}, {label}: {what}")))
+                }
+            }
         }
-    };
-    Ok((!figures.is_empty()).then_some(strip))
+    }
 }
 
-fn figure(
-    run: &Run,
-    album: &Album,
-    name: &str,
-    caption: &str,
-    alt: &str,
-) -> Result<Option<Markup>> {
-    Ok(album.find(name)?.map(|source| match source {
-        Source::Held(data_uri) => html! {
+fn figure(run: &Run, picture: &Picture, caption: &str, alt: &str) -> Markup {
+    html! {
+        @if picture.is_held {
             figure {
-                img tabindex="0" src=(data_uri) alt=(alt) width=(run.info.width) height=(run.info.height);
+                img tabindex="0" src=(picture.address) alt=(alt) width=(run.info.width) height=(run.info.height);
                 figcaption { (caption) }
             }
-        },
-        Source::Linked(address) => html! { a href=(address) aria-label=(alt) { (caption) } },
-    }))
+        } @else {
+            a href=(picture.address) aria-label=(alt) { (caption) }
+        }
+    }
 }

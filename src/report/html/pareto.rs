@@ -24,7 +24,7 @@ pub(super) fn section(run: &Run, clouds: &[Cloud], plots: &[&Plot]) -> Option<Se
             "All points are in " code { (PARETO_FILE) } "."
         }
         (figures(plots))
-        @for cloud in clouds { (details(&title(cloud), &table(cloud).html())) }
+        @for cloud in clouds { (details(title(cloud), &table(cloud).html())) }
     };
     (!clouds.is_empty()).then(|| Section::new("pareto", "Accuracy against speed", content))
 }

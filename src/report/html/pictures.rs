@@ -1,8 +1,8 @@
 //! The pictures of a run: in the page, or links to their files.
 
-use std::collections::HashSet;
+use std::collections::HashMap;
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use anyhow::{Context as _, Result};
 use base64::Engine as _;
@@ -15,66 +15,56 @@ use crate::report::LegendEntry;
 /// without a wait.
 const MAX_BYTES: u64 = 22 << 20;
 
-/// The pictures in a folder of a run, of which a page holds as many as fit; to the others it links.
-pub(super) struct Album {
-    dir: PathBuf,
-    folder: &'static str,
-    held: HashSet<String>,
-    /// Whether no picture is left out.
-    pub is_whole: bool,
-}
+/// The pictures of a run by their names, of which a page holds as many as fit; to the others it links.
+pub(super) struct Album(HashMap<String, Picture>);
 
-/// Where a page has a picture.
-pub(super) enum Source {
-    /// In itself: an address that is the picture.
-    Held(String),
-    /// In a file, at this address.
-    Linked(String),
+/// A picture as a page has it.
+pub(super) struct Picture {
+    /// What the page names as its source: the picture itself if it holds it, else the file.
+    pub address: String,
+    pub is_held: bool,
 }
 
 impl Album {
-    /// Holds the first sets of pictures, as many as fit. Once one does not, no lesser one is let in for being small.
-    pub(super) fn new(
+    /// The PNG files of these names, which must be safe in an address, as far as they are there. The first sets are
+    /// held. Once one does not fit, no lesser one is let in for being small.
+    pub(super) fn read(
         dir: &Path,
-        folder: &'static str,
+        folder: &str,
         sets: impl IntoIterator<Item = Vec<String>>,
-    ) -> Self {
-        let dir = dir.join(folder);
-        // The size of one that cannot be read is nothing; that it cannot be is reported where it is embedded.
-        let size = |name: &String| dir.join(name).metadata().map_or(0, |data| data.len());
-        let (mut held, mut left_bytes, mut is_whole) = (HashSet::new(), MAX_BYTES, true);
-        for set in sets {
+    ) -> Result<Self> {
+        let (mut pictures, mut is_held, mut left_bytes) = (HashMap::new(), true, MAX_BYTES);
+        for mut set in sets {
+            let path = |name: &String| dir.join(folder).join(name);
+            set.retain(|name| !pictures.contains_key(name) && path(name).is_file());
+            let size = |name| path(name).metadata().map_or(0, |data| data.len());
             let left = left_bytes.checked_sub(set.iter().map(size).sum());
-            is_whole &= left.is_some();
-            if is_whole {
-                left_bytes = left.unwrap_or_default();
-                held.extend(set);
+            is_held &= left.is_some();
+            left_bytes = left.unwrap_or_default();
+            for name in set {
+                let mut address = format!("{folder}/{name}");
+                if is_held {
+                    let png =
+                        fs::read(path(&name)).with_context(|| format!("cannot read {address}"))?;
+                    address = format!("data:image/png;base64,{}", BASE64.encode(png));
+                }
+                pictures.insert(name, Picture { address, is_held });
             }
         }
-        Self {
-            dir,
-            folder,
-            held,
-            is_whole,
-        }
+        Ok(Self(pictures))
     }
 
-    pub(super) fn holds(&self, name: &str) -> bool {
-        self.held.contains(name)
+    pub(super) fn is_empty(&self) -> bool {
+        self.0.is_empty()
     }
 
-    /// The PNG file of that name, which must be safe in an address; `None` where there is none.
-    pub(super) fn find(&self, name: &str) -> Result<Option<Source>> {
-        let path = self.dir.join(name);
-        if !path.is_file() {
-            return Ok(None);
-        }
-        if !self.holds(name) {
-            return Ok(Some(Source::Linked(format!("{}/{name}", self.folder))));
-        }
-        let png = fs::read(&path).with_context(|| format!("cannot read {}", path.display()))?;
-        let data_uri = format!("data:image/png;base64,{}", BASE64.encode(png));
-        Ok(Some(Source::Held(data_uri)))
+    /// Whether no picture is left out.
+    pub(super) fn is_whole(&self) -> bool {
+        self.0.values().all(|picture| picture.is_held)
+    }
+
+    pub(super) fn get(&self, name: &str) -> Option<&Picture> {
+        self.0.get(name)
     }
 }
 

@@ -110,10 +110,6 @@ fn light(scene: &SceneRecord) -> String {
     let [x, y, z] = scene.light;
     let is_directional = scene.light_w == 0.0;
     let kind = if is_directional { "towards" } else { "at" };
-    let moves = if scene.light_moves {
-        " at the start; it moves"
-    } else {
-        ""
-    };
-    format!("{kind} ({x}, {y}, {z}){moves}")
+    let moves = scene.light_moves.then_some(" at the start; it moves");
+    format!("{kind} ({x}, {y}, {z}){}", moves.unwrap_or_default())
 }

@@ -191,16 +191,10 @@ impl Column {
     }
 }
 
-impl<const N: usize> From<[Cell; N]> for Row {
-    fn from(cells: [Cell; N]) -> Self {
-        Vec::from(cells).into()
-    }
-}
-
-impl From<Vec<Cell>> for Row {
-    fn from(cells: Vec<Cell>) -> Self {
+impl<C: IntoIterator<Item = Cell>> From<C> for Row {
+    fn from(cells: C) -> Self {
         Self {
-            cells,
+            cells: cells.into_iter().collect(),
             ..Self::default()
         }
     }

@@ -18,42 +18,34 @@ pub(super) fn section(
     matrix: &Matrix<'_>,
     legend: &[LegendEntry],
 ) -> Result<Section> {
-    let album = album(run, matrix);
-    let causes = matrix.lines.iter().map(|line| cause(run, line, &album));
-    let causes: Vec<Markup> = causes.collect::<Result<_>>()?;
+    let album = album(run, matrix)?;
     let content = html! {
         (note(include_str!("../notes/causes.html")))
-        @if !album.is_whole { (note(include_str!("../notes/too_many_failures.html"))) }
+        @if !album.is_whole() { (note(include_str!("../notes/too_many_failures.html"))) }
         @if !legend.is_empty() { div.error-key { (legend_list(legend)) } }
-        @for cause in causes { (cause) }
+        @for line in &matrix.lines { (cause(run, line, &album)) }
     };
     Ok(Section::new("causes", "Causes", content))
 }
 
-fn cause(run: &StressRun, line: &Line<'_>, album: &Album) -> Result<Markup> {
-    let mut failures = Vec::new();
-    for (index, cell) in line.cells.iter().enumerate() {
-        let shown = cell.failure().into_iter().flat_map(|f| f.shown());
-        let figures = shown.map(|row| figure(run, line, row, album));
-        failures.push((
-            failure_id(line, index),
-            figures.collect::<Result<Vec<_>>>()?,
-        ));
-    }
-    failures.retain(|(_, figures)| !figures.is_empty());
+fn cause(run: &StressRun, line: &Line<'_>, album: &Album) -> Markup {
     let mut cells = line.cells.iter();
     let is_tried = cells.any(|cell| *cell != stability::Cell::Untried);
-    Ok(html! {
+    html! {
         article.cause id={ "cause-" (line.cause.id) } {
             h3 { (line.cause.title) " " code.quiet { (line.cause.id) } }
             p.why { (line.cause.why) }
             @if is_tried { (values(run, line)) }
             @else { p.quiet { "Not tried: the run was interrupted before." } }
-            @for (id, figures) in failures {
-                div id=(id) { @for figure in figures { (figure) } }
+            @for (index, cell) in line.cells.iter().enumerate() {
+                @if let Some(failure) = cell.failure() {
+                    div id=(failure_id(line, index)) {
+                        @for row in failure.shown() { (figure(run, line, row, album)) }
+                    }
+                }
             }
         }
-    })
+    }
 }
 
 /// Methods in rows and values in columns: what turns up reads from left to right. Methods with nothing

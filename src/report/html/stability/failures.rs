@@ -8,35 +8,30 @@ use crate::record::pairs_from_text;
 use crate::record::stress::{FAILURES_DIR, GAP_PX, Outcome, StressRow};
 use crate::report::format::{count, short};
 use crate::report::html::errors::kinds;
-use crate::report::html::pictures::{Album, Source};
+use crate::report::html::pictures::Album;
 use crate::report::stability::{Failure, Line, Matrix, StressRun};
 
 /// Pixels of the page that a picture may be wide.
 const PAGE_WIDTH_PX: u32 = 1190;
 
 /// The pictures of failures, those of undeclared ones first.
-pub(super) fn album(run: &StressRun, matrix: &Matrix<'_>) -> Album {
+pub(super) fn album(run: &StressRun, matrix: &Matrix<'_>) -> Result<Album> {
     let cells = matrix.lines.iter().flat_map(|line| &line.cells);
     let mut failures: Vec<&Failure<'_>> = cells.filter_map(|cell| cell.failure()).collect();
     failures.sort_by_key(|failure| failure.undeclared.is_none());
     let rows = failures.into_iter().flat_map(|failure| failure.shown());
     let pictures = rows.map(|row| vec![row.picture.clone()]);
-    Album::new(&run.dir, FAILURES_DIR, pictures)
+    Album::read(&run.dir, FAILURES_DIR, pictures)
 }
 
 /// A failure: its picture, its numbers and a command.
-pub(super) fn figure(
-    run: &StressRun,
-    line: &Line<'_>,
-    row: &StressRow,
-    album: &Album,
-) -> Result<Markup> {
+pub(super) fn figure(run: &StressRun, line: &Line<'_>, row: &StressRow, album: &Album) -> Markup {
     let method = row.variant.full_name(&row.method);
     let pairs = pairs_from_text(&row.kinds);
     let kinds = kinds(pairs, count).map(|kinds| kinds.replace('_', " "));
-    Ok(html! {
+    html! {
         figure.failure {
-            (picture(run, line, row, album)?)
+            (picture(run, line, row, album))
             figcaption {
                 h4 { code { (method) } }
                 p {
@@ -56,7 +51,7 @@ pub(super) fn figure(
                 pre.command { code { (command(run, row)) } }
             }
         }
-    })
+    }
 }
 
 /// The command that draws the picture again, to be run in the directory of the run.
@@ -69,7 +64,7 @@ fn command(run: &StressRun, row: &StressRow) -> String {
     )
 }
 
-fn picture(run: &StressRun, line: &Line<'_>, row: &StressRow, album: &Album) -> Result<Markup> {
+fn picture(run: &StressRun, line: &Line<'_>, row: &StressRow, album: &Album) -> Markup {
     let (width, height) = (3 * run.info.width + 2 * GAP_PX, run.info.height);
     // By whole numbers, so that all pixels are of one size.
     let scale = (PAGE_WIDTH_PX / width.max(1)).max(1);
@@ -80,14 +75,14 @@ fn picture(run: &StressRun, line: &Line<'_>, row: &StressRow, album: &Album) -> 
         line.cause.title,
         short(row.value)
     );
-    Ok(match album.find(&row.picture)? {
-        None => html! { p.missing { "The picture is missing." } },
-        Some(Source::Linked(address)) => html! { p.missing { a href=(address) { (row.picture) } } },
-        Some(Source::Held(data_uri)) => html! {
-            div.triple style={ "width:" (width) "px" } {
+    html! {
+        @match album.get(&row.picture) {
+            None => p.missing { "The picture is missing." },
+            Some(picture) if !picture.is_held => p.missing { a href=(picture.address) { (row.picture) } },
+            Some(picture) => div.triple style={ "width:" (width) "px" } {
                 div.parts aria-hidden="true" { span { "Truth" } span { "Shadow mask" } span { "Errors" } }
-                img tabindex="0" loading="lazy" src=(data_uri) alt=(alt) width=(width) height=(height);
-            }
-        },
-    })
+                img tabindex="0" loading="lazy" src=(picture.address) alt=(alt) width=(width) height=(height);
+            },
+        }
+    }
 }

@@ -35,11 +35,8 @@ fn table(matrix: &Matrix<'_>) -> Table {
         listing = listing.number(Cell::drawn(head(method)), |line| cell(line, index));
         totals.push(total(matrix, index));
     }
-    let foot = Some(totals.into());
-    Table {
-        foot,
-        ..listing.table
-    }
+    listing.table.foot = Some(totals.into());
+    listing.table
 }
 
 fn head(method: &StressMethod) -> Markup {
@@ -83,7 +80,6 @@ fn cell(line: &Line<'_>, index: usize) -> Cell {
 }
 
 fn failing(id: &str, failure: &Failure<'_>) -> Cell {
-    let (first, worst) = (failure.first.artifact_px, failure.worst.artifact_px);
     let later = failure.undeclared.filter(|_| !failure.begins_undeclared());
     let link = html! {
         a href={ "#" (id) } {
@@ -92,14 +88,10 @@ fn failing(id: &str, failure: &Failure<'_>) -> Cell {
             @if failure.undeclared.is_some() { span.sr { " undeclared" } }
         }
     };
-    let px = match worst == first {
-        true => count(first),
-        false => format!("{} → {}", count(first), count(worst)),
-    };
-    let class = match failure.undeclared {
-        Some(_) => "undeclared",
-        None => "declared",
-    };
+    let (first, worst) = (failure.first.artifact_px, failure.worst.artifact_px);
+    let then = (worst != first).then(|| format!(" → {}", count(worst)));
+    let px = count(first) + &then.unwrap_or_default();
+    let class = failure.undeclared.map_or("declared", |_| "undeclared");
     Cell::drawn(link).small(px).class(class)
 }
 
