@@ -21,13 +21,12 @@ pub(super) fn table(run: &Run) -> Table {
     let columns = [
         Column::heads("Method", "method"),
         Column::number("FPS"),
-        Column::number("Frame").unit("ms"),
-        Column::number("median")
-            .unit("ms")
+        Column::number(("Frame", "ms")),
+        Column::number(("median", "ms"))
             .over("Shadow")
             .plain("Shadow ms"),
-        Column::number("p95").unit("ms").over("Shadow").plain("p95"),
-        Column::number("G-buffer").unit("ms"),
+        Column::number(("p95", "ms")).over("Shadow").plain("p95"),
+        Column::number(("G-buffer", "ms")),
         pixels("false\nlit").plain("False lit px"),
         pixels("false\nshadowed").plain("False shadowed px"),
         pixels("artifact").plain("Artifact px"),
@@ -41,7 +40,6 @@ pub(super) fn table(run: &Run) -> Table {
         table.begin(wide, vec![plain]);
         match run.absence(scene) {
             Some((status, reason)) => table.push(Row {
-                is_absent: true,
                 reason: reason.to_owned(),
                 ..[status_cell(status.word())].into()
             }),
@@ -86,7 +84,6 @@ fn row(run: &Run, row: &Summary) -> Row {
     if row.is_absent() {
         return Row {
             reason,
-            is_absent: true,
             ..[method, status].into()
         };
     }

@@ -3,8 +3,8 @@
 use anyhow::Result;
 use maud::{Markup, html};
 
-use super::pictures::{Held, Picture, legend_list, picture, size_bytes};
-use super::shell::Section;
+use super::pictures::{Album, Picture, legend_list};
+use super::shell::{Section, note};
 use crate::record::{IMAGES_DIR, ImageKind, Summary};
 use crate::report::LegendEntry;
 use crate::report::curve::{Contender, Curves};
@@ -22,41 +22,42 @@ const KINDS: [(ImageKind, &str, &str); 3] = [
     ),
 ];
 
-/// The cells whose pictures the page holds, by scene and contender; those of the others it links to.
-type HeldCells = Held<(String, String)>;
+/// The section; none where there are no pictures.
+pub(super) fn section(
+    run: &Run,
+    clouds: &[Cloud],
+    legend: &[LegendEntry],
+) -> Result<Option<Section>> {
+    let album = album(run, clouds)?;
+    let content = html! {
+        (note("Click a picture, or move the focus to it, to see it large."))
+        @if !album.is_whole() { (note(include_str!("notes/too_many_pictures.html"))) }
+        @for scene in run.scenes() { (gallery(run, scene, &album, legend)) }
+    };
+    Ok((!album.is_empty()).then(|| Section::new("pictures", "Pictures", content)))
+}
 
-impl HeldCells {
-    /// Those of the front first, then the first of each curve, then the others.
-    fn of(run: &Run, clouds: &[Cloud]) -> Self {
-        let curves = Curves::of(run);
-        let mut cells: Vec<(u8, &Summary, Contender)> = Vec::new();
-        for row in run.scenes().into_iter().flat_map(|scene| run.rows(scene)) {
-            let contender = run.contender(row);
-            let rank = match is_on_front(clouds, row, &contender) {
-                true => 0,
-                false if is_first(&curves, &contender) => 1,
-                false => 2,
-            };
-            cells.push((rank, row, contender));
-        }
-        cells.sort_by_key(|(rank, ..)| *rank);
-        Self::as_many_as_fit(cells.into_iter().map(|(_, row, contender)| {
-            let names =
-                KINDS.map(|(kind, ..)| run.image(&row.scene, &row.method, &row.variant, kind));
-            let sizes = names.map(|name| size_bytes(&run.dir.join(IMAGES_DIR).join(name)));
-            ((row.scene.clone(), contender.label()), sizes.iter().sum())
-        }))
-    }
+/// The references, then the cells of the front, then the first of each curve, then the others.
+fn album(run: &Run, clouds: &[Cloud]) -> Result<Album> {
+    let curves = Curves::of(run);
+    let scenes = run.scenes();
+    let mut cells: Vec<&Summary> = scenes.iter().flat_map(|scene| run.rows(scene)).collect();
+    cells.sort_by_cached_key(|row| {
+        let contender = run.contender(row);
+        let is_on_front = is_on_front(clouds, row, &contender);
+        (!is_on_front, !is_on_front && !is_first(&curves, &contender))
+    });
+    let references = scenes.iter().map(|scene| vec![reference(run, scene)]);
+    let cells = cells.into_iter().map(|row| names(run, row).to_vec());
+    Album::read(&run.dir, IMAGES_DIR, references.chain(cells))
 }
 
 fn is_on_front(clouds: &[Cloud], row: &Summary, contender: &Contender) -> bool {
-    let of_scene = clouds
-        .iter()
-        .find(|cloud| cloud.scene.as_deref() == Some(row.scene.as_str()));
-    of_scene.is_some_and(|cloud| {
-        let mut front = cloud.front().into_iter().map(|index| &cloud.points[index]);
-        front.any(|point| point.contender == *contender)
-    })
+    let mut clouds = clouds.iter();
+    let of_scene = clouds.find(|cloud| cloud.scene.as_deref() == Some(&row.scene));
+    let points = of_scene.into_iter().flat_map(|cloud| &cloud.points);
+    let mut front = points.filter(|point| point.dominated_by.is_none());
+    front.any(|point| point.contender == *contender)
 }
 
 fn is_first(curves: &Curves, contender: &Contender) -> bool {
@@ -65,82 +66,63 @@ fn is_first(curves: &Curves, contender: &Contender) -> bool {
     first.is_some_and(|(first, ..)| first == contender)
 }
 
-pub(super) fn section(
-    run: &Run,
-    clouds: &[Cloud],
-    legend: &[LegendEntry],
-) -> Result<Option<Section>> {
-    let held = HeldCells::of(run, clouds);
-    let mut scenes = Vec::new();
-    for scene in run.scenes() {
-        if let Some(markup) = scene_gallery(run, scene, &held, legend)? {
-            scenes.push(markup);
-        }
-    }
-    let content = html! {
-        p.note { "Click a picture, or move the focus to it, to see it large." }
-        @if !held.holds_all() {
-            p.note {
-                "The pictures of this run are too many for one page. It holds those of the Pareto "
-                "fronts, then those of the first method of each sweep and of the others, as far as there is "
-                "room; the rest it links to, in the folder " code { (IMAGES_DIR) } " of the run."
-            }
-        }
-        @for scene in &scenes { (scene) }
-    };
-    Ok((!scenes.is_empty()).then(|| Section::new("pictures", "Pictures", content)))
+fn reference(run: &Run, scene: &str) -> String {
+    run.image(scene, "", &Variant::default(), ImageKind::Reference)
 }
 
-fn scene_gallery(
-    run: &Run,
-    scene: &str,
-    held: &HeldCells,
-    legend: &[LegendEntry],
-) -> Result<Option<Markup>> {
+fn names(run: &Run, row: &Summary) -> [String; KINDS.len()] {
+    KINDS.map(|(kind, ..)| run.image(&row.scene, &row.method, &row.variant, kind))
+}
+
+/// The pictures of a scene; nothing where there are none.
+fn gallery(run: &Run, scene: &str, album: &Album, legend: &[LegendEntry]) -> Markup {
     let title = run.scene_title(scene);
-    let reference = picture(
-        run,
-        &run.image(scene, "", &Variant::default(), ImageKind::Reference),
-        "Reference mask",
-        format!("{title}: shadow mask by the ray-traced reference"),
-        true,
-    )?;
-    let mut strips = Vec::new();
-    for row in run.rows(scene) {
-        strips.extend(strip(run, title, row, held)?);
-    }
-    if reference.is_none() && strips.is_empty() {
-        return Ok(None);
-    }
-    Ok(Some(html! {
-        article.gallery {
-            h3 { (title) }
-            div.strip {
-                @if let Some(reference) = &reference { (reference.figure(run)) }
-                @if !legend.is_empty() { (legend_list(legend)) }
+    let alt = format!("{title}: shadow mask by the ray-traced reference");
+    let reference = album.get(&reference(run, scene));
+    let strips = html! { @for row in run.rows(scene) { (strip(run, title, row, album)) } };
+    html! {
+        @if reference.is_some() || !strips.0.is_empty() {
+            article.gallery {
+                h3 { (title) }
+                div.strip {
+                    @if let Some(picture) = reference { (figure(run, picture, "Reference mask", &alt)) }
+                    @if !legend.is_empty() { (legend_list(legend)) }
+                }
+                (strips)
             }
-            @for strip in &strips { (strip) }
         }
-    }))
+    }
 }
 
-/// The pictures of one method in one scene: side by side; links in a line. None where there are none.
-fn strip(run: &Run, scene: &str, row: &Summary, held: &HeldCells) -> Result<Option<Markup>> {
+/// The pictures of one method in one scene: side by side; links in a line.
+fn strip(run: &Run, scene: &str, row: &Summary, album: &Album) -> Markup {
     let contender = run.contender(row);
     let label = contender.label();
-    let hold = held.holds(&(row.scene.clone(), label.clone()));
-    let mut pictures = Vec::new();
-    for (kind, caption, what) in KINDS {
-        let name = run.image(&row.scene, &row.method, &row.variant, kind);
-        let alt = format!("{scene}, {label}: {what}");
-        pictures.extend(picture(run, &name, caption, alt, hold)?);
-    }
-    let is_held = pictures.iter().any(Picture::is_held);
-    let strip = html! {
-        h4 { (run.method_title(&contender)) " " code { (label) } }
-        div class=(if is_held { "strip" } else { "links" }) {
-            @for picture in &pictures { (picture.figure(run)) }
+    let names = names(run, row).into_iter().zip(KINDS);
+    let pictures = names.filter_map(|(name, kind)| Some((album.get(&name)?, kind)));
+    let pictures: Vec<(&Picture, _)> = pictures.collect();
+    let is_held = pictures.iter().any(|(picture, _)| picture.is_held);
+    html! {
+        @if !pictures.is_empty() {
+            h4 { (run.method_title(&contender)) " " code { (label) } }
+            div class=(if is_held { "strip" } else { "links" }) {
+                @for (picture, (_, caption, what)) in pictures {
+                    (figure(run, picture, caption, &format!("{scene}, {label}: {what}")))
+                }
+            }
         }
-    };
-    Ok((!pictures.is_empty()).then_some(strip))
+    }
+}
+
+fn figure(run: &Run, picture: &Picture, caption: &str, alt: &str) -> Markup {
+    html! {
+        @if picture.is_held {
+            figure {
+                img tabindex="0" src=(picture.address) alt=(alt) width=(run.info.width) height=(run.info.height);
+                figcaption { (caption) }
+            }
+        } @else {
+            a href=(picture.address) aria-label=(alt) { (caption) }
+        }
+    }
 }

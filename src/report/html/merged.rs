@@ -2,9 +2,8 @@
 
 use maud::{Markup, html};
 
-use super::provenance::warnings;
-use super::shell::{Section, banner, facts, page as shell_page, plots as plots_section};
-use super::{banners, paper};
+use super::shell::{self, Section, banner};
+use super::{banners, paper, provenance};
 use crate::report::format::number_of;
 use crate::report::groups::Group;
 use crate::report::load::Run;
@@ -13,30 +12,16 @@ use crate::report::plots::Plot;
 
 pub(crate) fn page(groups: &[Group<'_>], papers: &[Paper], plots: &[Plot]) -> String {
     let mut sections: Vec<Section> = papers.iter().flat_map(paper::sections).collect();
-    sections.extend(plots_section(&plots.iter().collect::<Vec<_>>()));
+    sections.extend(shell::plots(&plots.iter().collect::<Vec<_>>()));
     let runs = html! {
-        @for group in groups {
-            @for run in &group.runs { (run_facts(&group.label, run)) }
-        }
+        @for group in groups { @for run in &group.runs { (run_facts(&group.label, run)) } }
     };
     sections.push(Section::new("provenance", "Provenance", runs));
     let banners = notes(groups, papers);
-    shell_page(
-        "Runs beside the paper",
-        &devices(groups),
-        &banners,
-        &sections,
-    )
-}
-
-fn devices(groups: &[Group<'_>]) -> Markup {
-    html! {
-        dl.facts {
-            @for group in groups {
-                div { dt { (number_of(group.runs.len(), "run")) } dd { (group.label) } }
-            }
-        }
-    }
+    let devices = groups.iter();
+    let devices = devices.map(|g| (number_of(g.runs.len(), "run"), g.label.clone()));
+    let devices = shell::facts(&devices.collect::<Vec<_>>());
+    shell::page("Runs beside the paper", &devices, &banners, &sections)
 }
 
 fn notes(groups: &[Group<'_>], papers: &[Paper]) -> Markup {
@@ -46,32 +31,29 @@ fn notes(groups: &[Group<'_>], papers: &[Paper]) -> Markup {
         Some(html! { code { (run.dir.display()) } ": " (what) })
     });
     let unfinished: Vec<Markup> = unfinished.collect();
-    let software = groups.iter().filter(|group| group.software);
     let missing = "None of these runs has a cell of the paper's tables.";
     html! {
         @if !unfinished.is_empty() {
             (banner("grave", "Not all runs are complete.", "What they left is shown.", &unfinished))
         }
         @if papers.is_empty() { (banner("grave", "Nothing to compare.", missing, &[])) }
-        @for group in software { (banners::software(&group.label)) }
+        @for group in groups.iter().filter(|group| group.software) { (banners::software(&group.label)) }
     }
 }
 
 fn run_facts(label: &str, run: &Run) -> Markup {
     let info = &run.info;
-    let scale = match info.scale.as_str() {
-        "" => "full",
-        scale => scale,
-    };
     html! {
         h3 { (info.title) span.quiet { " " (label) } }
-        (facts(run))
+        (provenance::run_facts(info))
         dl.settings {
             dt { "Directory" } dd { code { (run.dir.display()) } }
-            dt { "Configuration" } dd { code { (info.config_path) } ", scale: " (scale) }
+            dt { "Configuration" } dd {
+                code { (info.config_path) } ", scale: " @if info.scale.is_empty() { "full" } @else { (info.scale) }
+            }
             dt { "Started" } dd { (info.started) }
             dt { "Shaders" } dd { code { (info.shader_hash) } }
         }
-        @if !run.warnings.is_empty() { (warnings(&run.warnings)) }
+        (provenance::warnings(&run.warnings))
     }
 }

@@ -1,7 +1,7 @@
 //! The report page: one file that needs nothing else, neither a network nor the run directory.
 //!
 //! Everything that comes from a run (names, reasons, configuration) goes through maud's escaping;
-//! the plots escape their own text. The page has no script.
+//! the plots escape their own text. The page has no script. Longer prose is in `notes`.
 
 use anyhow::Result;
 
@@ -48,10 +48,6 @@ pub(crate) fn page(
     sections.extend(shell::plots(&plots));
     sections.extend(gallery);
     sections.push(provenance::section(run));
-    Ok(shell::page(
-        title,
-        &shell::facts(run),
-        &banners::of(run),
-        &sections,
-    ))
+    let facts = provenance::run_facts(&run.info);
+    Ok(shell::page(title, &facts, &banners::of(run), &sections))
 }

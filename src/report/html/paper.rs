@@ -2,7 +2,7 @@
 
 use maud::{Markup, html};
 
-use super::shell::{Section, banner, details};
+use super::shell::{Section, banner, details, note, prose};
 use crate::report::paper::Paper;
 use crate::report::paper::ledger::{Ledger, SOFTWARE_NOTE};
 
@@ -16,9 +16,8 @@ pub(super) fn sections(paper: &Paper) -> [Section; 2] {
     };
     let tables = html! {
         p.note {
-            (published.authors) ": " em { (published.title) } ", " (published.year) ". Published numbers stand "
-            "beside measured ones. They come from other hardware and another flight: compare how methods rank and "
-            "scale, not the values."
+            (published.authors) ": " em { (published.title) } ", " (published.year) ". "
+            (prose(include_str!("notes/published.html")))
         }
         @for sheet in &paper.sheets {
             h3 { (sheet.title()) }
@@ -26,15 +25,18 @@ pub(super) fn sections(paper: &Paper) -> [Section; 2] {
             ul.note { @for note in sheet.notes() { li { (note) } } }
         }
     };
+    let ledger = ledger(&paper.ledger);
     let claims = title("The paper's claims", "Claims");
-    let link = title("Its claims", "Claims");
     [
         Section::new(
-            format!("{prefix}paper"),
-            title("The paper's tables", "Tables"),
+            &format!("{prefix}paper"),
+            &title("The paper's tables", "Tables"),
             tables,
         ),
-        Section::new(format!("{prefix}ledger"), claims, ledger(&paper.ledger)).linked(link),
+        Section {
+            link: title("Its claims", "Claims"),
+            ..Section::new(&format!("{prefix}ledger"), &claims, ledger)
+        },
     ]
 }
 
@@ -50,10 +52,7 @@ fn ledger(ledger: &Ledger) -> Markup {
     html! {
         @for device in &ledger.software { (banner("", device, SOFTWARE_NOTE, &[])) }
         (ledger.table().html())
-        p.note {
-            "\u{201c}Rests on\u{201d} counts comparisons: two measured cells held against each "
-            "other, of as many as the paper's tables have for the claim."
-        }
+        (note(include_str!("notes/evidence.html")))
         (details("How verdicts are reached", &rules))
     }
 }

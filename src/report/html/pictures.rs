@@ -1,9 +1,7 @@
-//! One picture: in the page, or a link to its file.
+//! The pictures of a run: in the page, or links to their files.
 
-use std::collections::HashSet;
+use std::collections::HashMap;
 use std::fs;
-use std::hash::Hash;
-use std::io::ErrorKind;
 use std::path::Path;
 
 use anyhow::{Context as _, Result};
@@ -11,119 +9,62 @@ use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD as BASE64;
 use maud::{Markup, html};
 
-use crate::record::IMAGES_DIR;
 use crate::report::LegendEntry;
-use crate::report::load::Run;
 
 /// A page holds pictures up to this size; a browser opens one of a third more, as base64 makes it,
 /// without a wait.
 const MAX_BYTES: u64 = 22 << 20;
 
-/// What of a run's pictures a page holds; to the others it links.
-pub(super) struct Held<K> {
-    held: HashSet<K>,
-    all: bool,
+/// The pictures of a run by their names, of which a page holds as many as fit; to the others it links.
+pub(super) struct Album(HashMap<String, Picture>);
+
+/// A picture as a page has it.
+pub(super) struct Picture {
+    /// What the page names as its source: the picture itself if it holds it, else the file.
+    pub address: String,
+    pub is_held: bool,
 }
 
-impl<K: Eq + Hash> Held<K> {
-    /// The first ones, as many as fit. Once one does not, no lesser one is let in for being small.
-    pub(super) fn as_many_as_fit(pictures: impl Iterator<Item = (K, u64)>) -> Self {
-        let (mut held, mut left_bytes) = (HashSet::new(), MAX_BYTES);
-        for (key, bytes) in pictures {
-            match left_bytes.checked_sub(bytes) {
-                Some(left) => left_bytes = left,
-                None => return Self { held, all: false },
+impl Album {
+    /// The PNG files of these names, which must be safe in an address, as far as they are there. The first sets are
+    /// held. Once one does not fit, no lesser one is let in for being small.
+    pub(super) fn read(
+        dir: &Path,
+        folder: &str,
+        sets: impl IntoIterator<Item = Vec<String>>,
+    ) -> Result<Self> {
+        let (mut pictures, mut is_held, mut left_bytes) = (HashMap::new(), true, MAX_BYTES);
+        for mut set in sets {
+            let path = |name: &String| dir.join(folder).join(name);
+            set.retain(|name| !pictures.contains_key(name) && path(name).is_file());
+            let size = |name| path(name).metadata().map_or(0, |data| data.len());
+            let left = left_bytes.checked_sub(set.iter().map(size).sum());
+            is_held &= left.is_some();
+            left_bytes = left.unwrap_or_default();
+            for name in set {
+                let mut address = format!("{folder}/{name}");
+                if is_held {
+                    let png =
+                        fs::read(path(&name)).with_context(|| format!("cannot read {address}"))?;
+                    address = format!("data:image/png;base64,{}", BASE64.encode(png));
+                }
+                pictures.insert(name, Picture { address, is_held });
             }
-            held.insert(key);
         }
-        Self { held, all: true }
+        Ok(Self(pictures))
     }
 
-    pub(super) fn holds(&self, key: &K) -> bool {
-        self.all || self.held.contains(key)
+    pub(super) fn is_empty(&self) -> bool {
+        self.0.is_empty()
     }
 
     /// Whether no picture is left out.
-    pub(super) fn holds_all(&self) -> bool {
-        self.all
-    }
-}
-
-/// The size of a file; 0 for one that cannot be read, which is reported where it is embedded.
-pub(super) fn size_bytes(path: &Path) -> u64 {
-    path.metadata().map_or(0, |data| data.len())
-}
-
-pub(super) struct Picture {
-    caption: &'static str,
-    alt: String,
-    source: Source,
-}
-
-enum Source {
-    /// The picture itself.
-    Held(String),
-    /// Its address from the page.
-    Linked(String),
-}
-
-/// A picture of the run, held by the page or linked to; `None` where the run has none of that name,
-/// which must be safe in an address.
-pub(super) fn picture(
-    run: &Run,
-    name: &str,
-    caption: &'static str,
-    alt: String,
-    hold: bool,
-) -> Result<Option<Picture>> {
-    let path = run.dir.join(IMAGES_DIR).join(name);
-    let source = if hold {
-        match data_uri(&path)? {
-            Some(data_uri) => Source::Held(data_uri),
-            None => return Ok(None),
-        }
-    } else if path.is_file() {
-        Source::Linked(format!("{IMAGES_DIR}/{name}"))
-    } else {
-        return Ok(None);
-    };
-    Ok(Some(Picture {
-        caption,
-        alt,
-        source,
-    }))
-}
-
-/// A PNG file as an address that holds it; `None` where there is none.
-pub(super) fn data_uri(path: &Path) -> Result<Option<String>> {
-    match fs::read(path) {
-        Ok(png) => Ok(Some(format!(
-            "data:image/png;base64,{}",
-            BASE64.encode(png)
-        ))),
-        Err(error) if error.kind() == ErrorKind::NotFound => Ok(None),
-        Err(error) => Err(error).with_context(|| format!("cannot read {}", path.display())),
-    }
-}
-
-impl Picture {
-    pub(super) fn is_held(&self) -> bool {
-        matches!(self.source, Source::Held(_))
+    pub(super) fn is_whole(&self) -> bool {
+        self.0.values().all(|picture| picture.is_held)
     }
 
-    pub(super) fn figure(&self, run: &Run) -> Markup {
-        match &self.source {
-            Source::Held(data_uri) => html! {
-                figure {
-                    img tabindex="0" src=(data_uri) alt=(self.alt)
-                        width=(run.info.width) height=(run.info.height);
-                    figcaption { (self.caption) }
-                }
-            },
-            Source::Linked(address) => html! {
-                a href=(address) aria-label=(self.alt) { (self.caption) }
-            },
-        }
+    pub(super) fn get(&self, name: &str) -> Option<&Picture> {
+        self.0.get(name)
     }
 }
 

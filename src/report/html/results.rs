@@ -2,9 +2,9 @@
 
 use maud::{Markup, html};
 
-use super::shell::{Section, details};
+use super::shell::{Section, details, note};
 use crate::record::statistics::median;
-use crate::record::{Summary, summary_records};
+use crate::record::{Summary, summary_records, unique};
 use crate::report::format::ms;
 use crate::report::load::Run;
 use crate::report::results;
@@ -16,13 +16,7 @@ pub(super) fn section(run: &Run) -> Section {
             p { "There are no results." }
         } @else {
             (results::table(run).html())
-            p.note {
-                "Times are medians over the measured frames; shadow time is what a method adds "
-                "to the frame. A wrong pixel is false lit or false shadowed; an " em { "artifact" }
-                " is a wrong pixel farther than one pixel from the true shadow boundary; what is "
-                em { "ambiguous" } " the reference itself cannot decide. "
-                "Bold: the shortest shadow time in the scene among the methods without artifacts."
-            }
+            (note(include_str!("notes/results.html")))
             (stage_times(run))
             (all_figures(run))
         }
@@ -32,57 +26,35 @@ pub(super) fn section(run: &Run) -> Section {
 
 /// The median of every stage of every method: where its shadow time goes.
 fn stage_times(run: &Run) -> Markup {
-    let columns = [
-        Column::text("Scene"),
-        Column::text("Method"),
-        Column::text("Stage"),
-        Column::number("Median").unit("ms"),
-    ];
-    let mut table = Table::new("Stages of each method", columns);
-    for row in run.scenes().iter().flat_map(|scene| run.rows(scene)) {
-        let label = run.contender(row).label();
-        table = table.extend(
-            stage_medians(run, row)
-                .into_iter()
-                .map(|(stage, stage_ms)| {
-                    let scene = row.scene.as_str().into();
-                    [scene, Cell::code(&label), stage.into(), ms(stage_ms).into()]
-                }),
-        );
-    }
-    html! {
-        @if !table.groups.is_empty() { (details("Stages of each method", &table.html())) }
-    }
+    let rows = run.scenes().into_iter().flat_map(|scene| run.rows(scene));
+    let medians = rows.flat_map(|row| stage_medians(run, row));
+    let medians: Vec<(&Summary, &str, f64)> = medians.collect();
+    let table = Table::of("Stages of each method", &medians)
+        .text("Scene", |(row, ..)| row.scene.as_str())
+        .text("Method", |(row, ..)| Cell::code(run.contender(row).label()))
+        .text("Stage", |(_, stage, _)| *stage)
+        .number(("Median", "ms"), |(.., stage_ms)| ms(*stage_ms));
+    html! { @if !medians.is_empty() { (details("Stages of each method", &table.html())) } }
 }
 
-fn stage_medians(run: &Run, row: &Summary) -> Vec<(String, f64)> {
-    let mut stages: Vec<(String, Vec<f64>)> = Vec::new();
-    for sample in run.samples_of(row) {
-        for stage in &sample.stages {
-            let stage_ms = stage.device_ms + stage.cpu_ms;
-            match stages.iter_mut().find(|(known, _)| *known == stage.stage) {
-                Some((_, all)) => all.push(stage_ms),
-                None => stages.push((stage.stage.clone(), vec![stage_ms])),
-            }
-        }
-    }
-    let medians = stages.into_iter();
-    medians
-        .filter_map(|(name, all)| Some((name, median(&all)?)))
-        .collect()
+fn stage_medians<'a>(run: &'a Run, row: &'a Summary) -> Vec<(&'a Summary, &'a str, f64)> {
+    let stages = || run.samples_of(row).flat_map(|sample| &sample.stages);
+    let names = unique(stages().map(|stage| stage.stage.as_str()));
+    let of = |name| {
+        let own = stages().filter(|stage| stage.stage == name);
+        let times_ms: Vec<f64> = own.map(|stage| stage.device_ms + stage.cpu_ms).collect();
+        Some((row, name, median(&times_ms)?))
+    };
+    names.into_iter().filter_map(of).collect()
 }
 
 fn all_figures(run: &Run) -> Markup {
     // Rows in memory cannot fail to be written; one that did would only be missing here.
     let records = summary_records(&run.summaries).unwrap_or_default();
-    let mut records = records.into_iter();
-    let heads = records.next().unwrap_or_default();
-    let columns = heads.iter().map(Column::text);
-    let rows = records.map(|record| record.iter().map(Cell::from).collect::<Vec<Cell>>());
-    let table = Table::new("All figures, unrounded", columns)
-        .class("all")
-        .extend(rows);
-    let note = "The rows of summary.csv. Error counts are sums over the verified frames.";
-    let content = html! { p.note { (note) } (table.html()) };
-    details("All figures, unrounded", &content)
+    let mut records = records.iter().map(|record| record.iter().map(Cell::from));
+    let heads = records.next().into_iter().flatten().map(Column::text);
+    let table = Table::new("All figures, unrounded", heads).class("all");
+    let table = table.extend(records.map(Vec::from_iter));
+    let note = note("The rows of summary.csv. Error counts are sums over the verified frames.");
+    details("All figures, unrounded", &html! { (note) (table.html()) })
 }

@@ -1,10 +1,7 @@
-//! What all pages have in common: the frame around their content, facts, banners, plots.
+//! What all pages have in common: the frame around their content, facts, banners, notes, plots.
 
-use maud::{DOCTYPE, Markup, PreEscaped, html};
+use maud::{DOCTYPE, Markup, PreEscaped, Render, html};
 
-use crate::record::DeviceRecord;
-use crate::report::format::date;
-use crate::report::load::Run;
 use crate::report::plots::Plot;
 
 const STYLE: &str = concat!(
@@ -14,27 +11,22 @@ const STYLE: &str = concat!(
 
 /// A part of a page, with a heading and a link at the top.
 pub(super) struct Section {
-    id: String,
-    title: String,
-    /// The text of the link, where it is not the title.
-    link: Option<String>,
-    content: Markup,
+    pub id: String,
+    pub title: String,
+    /// The text of the link.
+    pub link: String,
+    pub content: Markup,
 }
 
 impl Section {
-    pub(super) fn new(id: impl Into<String>, title: impl Into<String>, content: Markup) -> Self {
+    pub(super) fn new(id: &str, title: &str, content: Markup) -> Self {
+        let [id, title, link] = [id, title, title].map(str::to_owned);
         Self {
-            id: id.into(),
-            title: title.into(),
-            link: None,
+            id,
+            title,
+            link,
             content,
         }
-    }
-
-    /// The section, with another text of its link.
-    pub(super) fn linked(self, link: String) -> Self {
-        let link = Some(link);
-        Self { link, ..self }
     }
 }
 
@@ -56,9 +48,7 @@ pub(super) fn page(title: &str, facts: &Markup, banners: &Markup, sections: &[Se
                     h1 { (title) }
                     (facts)
                     nav aria-label="Sections" {
-                        @for Section { id, title, link, .. } in sections {
-                            a href={ "#" (id) } { (link.as_ref().unwrap_or(title)) }
-                        }
+                        @for section in sections { a href={ "#" (section.id) } { (section.link) } }
                     }
                 }
                 main {
@@ -83,58 +73,23 @@ pub(super) fn banner(class: &str, lead: &str, rest: &str, items: &[Markup]) -> M
     }
 }
 
+/// The prose of a file in `notes`, which is HTML.
+pub(super) fn prose(text: &str) -> Markup {
+    PreEscaped(text.trim_end().replace('\n', " "))
+}
+
+pub(super) fn note(text: &str) -> Markup {
+    html! { p.note { (prose(text)) } }
+}
+
 /// What is hidden until it is asked for.
-pub(super) fn details(summary: &(impl maud::Render + ?Sized), content: &Markup) -> Markup {
+pub(super) fn details(summary: impl Render, content: &Markup) -> Markup {
     html! { details { summary { (summary) } (content) } }
 }
 
-/// A name, and what stands under it.
-pub(super) type Fact = (&'static str, String);
-
-pub(super) fn facts_list(facts: &[Fact]) -> Markup {
-    html! {
-        dl.facts {
-            @for (name, value) in facts {
-                div { dt { (name) } dd { (value) } }
-            }
-        }
-    }
-}
-
-/// What every number of a run depends on.
-pub(super) fn facts(run: &Run) -> Markup {
-    let info = &run.info;
-    let [device, driver] = device_facts(&info.device);
-    let frames = format!(
-        "{} measured, {} verified, {} to warm up",
-        count(info.frames),
-        count(info.verified_frames),
-        count(info.warmup_frames)
-    );
-    facts_list(&[
-        device,
-        driver,
-        ("Measured", date(&info.started)),
-        ("Program", program(&info.program_version, &info.program_git)),
-        ("Picture", format!("{} × {} px", info.width, info.height)),
-        ("Frames per cell", frames),
-    ])
-}
-
-fn count(number: u32) -> String {
-    crate::report::format::count(number.into())
-}
-
-pub(super) fn device_facts(device: &DeviceRecord) -> [Fact; 2] {
-    let driver = format!("{} {}", device.driver, device.driver_info);
-    [
-        ("Device", device.name.clone()),
-        ("Driver", format!("{} · {}", driver.trim(), device.backend)),
-    ]
-}
-
-pub(super) fn program(version: &str, git: &str) -> String {
-    format!("svbench {version} {git}").trim_end().to_owned()
+/// Names, and what stands under them.
+pub(super) fn facts<N: Render>(facts: &[(N, String)]) -> Markup {
+    html! { dl.facts { @for (name, value) in facts { div { dt { (name) } dd { (value) } } } } }
 }
 
 /// Plots, one below the other.

@@ -2,6 +2,8 @@
 
 use maud::Markup;
 
+use crate::report::format::count;
+
 /// What stands where there is nothing to say.
 pub(crate) const DASH: &str = "–";
 
@@ -34,19 +36,15 @@ pub(crate) enum Part {
 
 impl Cell {
     pub(crate) fn code(text: impl Into<String>) -> Self {
-        Self::default().with(Part::Code(text.into()))
+        Part::Code(text.into()).into()
     }
 
     pub(crate) fn strong(text: impl Into<String>) -> Self {
-        Self::default().with(Part::Strong(text.into()))
-    }
-
-    pub(crate) fn link(id: impl Into<String>, text: impl Into<String>) -> Self {
-        Self::default().with(Part::Link(id.into(), text.into()))
+        Part::Strong(text.into()).into()
     }
 
     pub(crate) fn drawn(markup: Markup) -> Self {
-        Self::default().with(Part::Drawn(markup))
+        Part::Drawn(markup).into()
     }
 
     /// The id of a method and its variant, which may be empty.
@@ -77,30 +75,17 @@ impl Cell {
         let tooltip = tooltip.to_owned();
         Self { tooltip, ..self }
     }
+}
 
-    /// Its text in one line, with each part as `show` has it; small parts follow in brackets.
-    pub(super) fn line(&self, show: impl Fn(&Part, &str) -> String) -> String {
-        let (mut line, mut small) = (String::new(), Vec::new());
-        for part in &self.parts {
-            match part {
-                Part::Small(text) => small.push(show(part, text)),
-                Part::Quiet(text) => line.push_str(&format!(" {}", show(part, text))),
-                Part::Text(text) | Part::Code(text) | Part::Strong(text) | Part::Link(_, text) => {
-                    line.push_str(&show(part, text));
-                }
-                Part::Drawn(_) => {}
-            }
-        }
-        if !small.is_empty() {
-            line.push_str(&format!(" ({})", small.join(", ")));
-        }
-        line
+impl From<Part> for Cell {
+    fn from(part: Part) -> Self {
+        Self::default().with(part)
     }
 }
 
 impl From<String> for Cell {
     fn from(text: String) -> Self {
-        Self::default().with(Part::Text(text))
+        Part::Text(text).into()
     }
 }
 
@@ -110,8 +95,21 @@ impl From<&str> for Cell {
     }
 }
 
-impl From<Option<String>> for Cell {
-    fn from(text: Option<String>) -> Self {
-        text.unwrap_or_else(|| DASH.to_owned()).into()
+/// A text and its unit.
+impl From<(&str, &str)> for Cell {
+    fn from((text, unit): (&str, &str)) -> Self {
+        Self::from(text).small(unit)
+    }
+}
+
+impl From<u64> for Cell {
+    fn from(number: u64) -> Self {
+        count(number).into()
+    }
+}
+
+impl<T: Into<Self>> From<Option<T>> for Cell {
+    fn from(content: Option<T>) -> Self {
+        content.map_or_else(|| DASH.into(), Into::into)
     }
 }

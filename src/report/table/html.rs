@@ -2,106 +2,83 @@
 
 use maud::{Markup, PreEscaped, html};
 
-use super::{Cell, Column, Group, Part, Row, Table};
+use super::{Cell, Column, Listing, Part, Row, Table};
 
 impl Table {
     pub(crate) fn html(&self) -> Markup {
         html! {
             div.scroll tabindex="0" role="region" aria-label=(self.label) {
-                table class=[some(self.class)] {
+                table class=[classes([self.class])] {
                     thead { (self.heads()) }
-                    @for group in &self.groups {
-                        tbody {
-                            @if let Some(head) = &group.head {
-                                tr.scene {
-                                    th scope="rowgroup" colspan=(self.columns.len()) { (head.wide.html()) }
-                                }
-                            }
-                            @for row in &group.rows { (self.row(group, row)) }
-                        }
+                    @for group in self.rows.chunk_by(|_, next| next.wide.is_none()) {
+                        tbody { @for row in group { (self.row(row)) } }
                     }
-                    @if let Some(foot) = &self.foot { tfoot { (self.cells(foot)) } }
+                    @if let Some(foot) = &self.foot { tfoot { (self.row(foot)) } }
                 }
             }
         }
     }
 
     fn heads(&self) -> Markup {
-        let has_two = self.columns.iter().any(|column| column.has_over());
-        let rows = has_two.then_some(2);
+        let over = |column: &Column| column.over.line(str::to_owned, "");
+        let is_under = |column: &Column| !column.over.parts.is_empty();
+        let rows = self.columns.iter().any(is_under).then_some(2);
         html! {
             tr {
-                @for (index, column) in self.columns.iter().enumerate() {
-                    @if !column.has_over() {
-                        (column.head(rows))
-                    } @else if index == 0 || !column.is_under(&self.columns[index - 1].over) {
-                        @let over = &column.over;
-                        @let alike = self.columns[index..].iter().take_while(|next| next.is_under(over));
-                        th class=(classes(["group", &over.class])) scope="colgroup" colspan=(alike.count()) {
+                @for alike in self.columns.chunk_by(|one, next| is_under(one) && over(one) == over(next)) {
+                    @if let Some(Column { over, .. }) = alike.iter().find(|column| is_under(column)) {
+                        th class=[classes(["group", &over.class])] scope="colgroup" colspan=(alike.len()) {
                             (over.html())
                         }
+                    } @else {
+                        @for column in alike { (column.head(rows)) }
                     }
                 }
             }
-            @if has_two {
-                tr { @for column in self.columns.iter().filter(|column| column.has_over()) { (column.head(None)) } }
+            @if rows.is_some() {
+                tr { @for column in self.columns.iter().filter(|column| is_under(column)) { (column.head(None)) } }
             }
         }
     }
 
-    fn row(&self, group: &Group, row: &Row) -> Markup {
-        let columns = self.columns.len();
-        let is_all_absent = group.head.is_some() && row.cells.len() == 1;
+    /// A row; where numbers are missing before the last cell, the reason.
+    fn row(&self, row: &Row) -> Markup {
+        let missing = self.columns.len().saturating_sub(row.cells.len());
+        let (first, last) = row.cells.split_at(row.cells.len().saturating_sub(1));
         html! {
-            @if row.is_absent {
-                tr.absent {
-                    @if !is_all_absent { (self.columns[0].cell(&row.cells[0])) }
-                    td.text.why colspan=(columns - 1 - usize::from(!is_all_absent)) { (row.reason) }
-                    @if let (Some(column), Some(last)) = (self.columns.last(), row.cells.last()) {
-                        (column.cell(last))
-                    }
-                }
+            @if let Some(wide) = &row.wide {
+                tr.scene { th scope="rowgroup" colspan=(self.columns.len()) { (wide.html()) } }
             } @else {
-                (self.cells(row))
-                @if !row.reason.is_empty() {
-                    tr.remark { td.text.why colspan=(columns) { (row.reason) } }
+                tr.absent[row.is_faint || missing > 0] {
+                    @for (column, cell) in self.columns.iter().zip(first) { (column.cell(cell)) }
+                    @if missing > 0 { td.text.why colspan=(missing) { (row.reason) } }
+                    @for (column, cell) in self.columns.iter().rev().zip(last) { (column.cell(cell)) }
                 }
-            }
-        }
-    }
-
-    fn cells(&self, row: &Row) -> Markup {
-        html! {
-            tr.absent[row.is_faint] {
-                @for (column, cell) in self.columns.iter().zip(&row.cells) { (column.cell(cell)) }
+                @if missing == 0 && !row.reason.is_empty() {
+                    tr.remark { td.text.why colspan=(self.columns.len()) { (row.reason) } }
+                }
             }
         }
     }
 }
 
+impl<T> Listing<'_, T> {
+    pub(crate) fn html(&self) -> Markup {
+        self.table.html()
+    }
+}
+
 impl Column {
-    fn has_over(&self) -> bool {
-        !self.over.parts.is_empty()
-    }
-
-    fn is_under(&self, over: &Cell) -> bool {
-        let text = |cell: &Cell| cell.line(|_, text| text.to_owned());
-        text(&self.over) == text(over)
-    }
-
     fn head(&self, rows: Option<usize>) -> Markup {
         let class = classes([if self.is_text { "text" } else { "" }, &self.head.class]);
-        html! { th class=[some(&class)] scope="col" rowspan=[rows] { (self.head.html()) } }
+        html! { th class=[class] scope="col" rowspan=[rows] { (self.head.html()) } }
     }
 
     fn cell(&self, cell: &Cell) -> Markup {
-        let text = if self.is_text && self.class.is_empty() {
-            "text"
-        } else {
-            ""
-        };
-        let class = classes([text, self.class, &cell.class]);
-        let (class, tooltip) = (some(&class), some(&cell.tooltip));
+        let is_plain = self.is_text && self.class.is_empty();
+        let own = if is_plain { "text" } else { self.class };
+        let class = classes([own, &cell.class]);
+        let tooltip = (!cell.tooltip.is_empty()).then_some(&cell.tooltip);
         html! {
             @if self.is_head {
                 th class=[class] scope="row" title=[tooltip] { (cell.html()) }
@@ -118,7 +95,9 @@ impl Cell {
         html! {
             @for part in &self.parts {
                 @match part {
-                    Part::Text(text) => (broken(text)),
+                    Part::Text(text) => {
+                        @for (index, line) in text.split('\n').enumerate() { @if index > 0 { br; } (line) }
+                    }
                     Part::Code(text) => code { (text) },
                     Part::Strong(text) => strong { (text) },
                     Part::Quiet(text) => {
@@ -135,21 +114,9 @@ impl Cell {
     }
 }
 
-fn broken(text: &str) -> Markup {
-    html! {
-        @for (index, line) in text.split('\n').enumerate() {
-            @if index > 0 { br; }
-            (line)
-        }
-    }
-}
-
-fn classes<const N: usize>(classes: [&str; N]) -> String {
+/// The value of an attribute, which is left out where there are none.
+fn classes<const N: usize>(classes: [&str; N]) -> Option<String> {
     let all = classes.into_iter().filter(|class| !class.is_empty());
-    all.collect::<Vec<_>>().join(" ")
-}
-
-/// A value of an attribute that is left out where it is empty.
-fn some(text: &str) -> Option<&str> {
-    (!text.is_empty()).then_some(text)
+    let all = all.collect::<Vec<_>>().join(" ");
+    (!all.is_empty()).then_some(all)
 }

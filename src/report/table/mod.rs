@@ -1,31 +1,30 @@
 //! Tables as data: what they hold is said once, and rendered as HTML, as Markdown or as text.
 //!
-//! A [`Table`] has [`Column`]s and [`Group`]s of [`Row`]s. A [`Cell`] is a line of [`Part`]s, each with a role (code,
-//! a remark in small type), which every renderer shows in its own way.
+//! A [`Table`] has [`Column`]s and [`Row`]s of [`Cell`]s; a cell is a line of [`Part`]s, each with a role (code, a
+//! remark in small type), which every renderer shows in its own way. Where each row is about one thing of a kind, a
+//! [`Listing`] says column by column what it shows of it.
 
 mod cell;
 mod html;
-mod markdown;
-mod text;
+mod lines;
 
 pub(crate) use cell::{Cell, DASH, Part};
-pub(crate) use markdown::escape;
+pub(crate) use lines::escape;
 
 /// A table, before it is anything to read.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub(crate) struct Table {
     /// What it shows, for those who cannot see it.
     pub label: String,
     /// Its class on the page, if the style sheet knows one.
     pub class: &'static str,
     pub columns: Vec<Column>,
-    /// Its rows, in groups; most tables have one group.
-    pub groups: Vec<Group>,
+    pub rows: Vec<Row>,
     /// A last row that sums up the others, if there is one.
     pub foot: Option<Row>,
 }
 
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub(crate) struct Column {
     /// What stands over its head and those of its neighbours; may be empty.
     pub over: Cell,
@@ -39,32 +38,23 @@ pub(crate) struct Column {
     pub class: &'static str,
 }
 
-/// Rows that belong together.
-#[derive(Debug, Clone, Default)]
-pub(crate) struct Group {
-    /// What they have in common, if anything is said of it.
-    pub head: Option<GroupHead>,
-    pub rows: Vec<Row>,
-}
-
-/// The line above a group.
-#[derive(Debug, Clone)]
-pub(crate) struct GroupHead {
-    /// Over the whole width of the page's table.
-    pub wide: Cell,
-    /// In the columns of other renderings, from the first one on.
-    pub plain: Vec<Cell>,
-}
-
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Row {
+    /// Fewer than there are columns where there are no numbers: the reason stands in their place.
     pub cells: Vec<Cell>,
     /// Why its numbers are absent or to be doubted; may be empty.
     pub reason: String,
-    /// Whether there are no numbers: the reason stands in their place.
-    pub is_absent: bool,
     /// Whether it is less important than others.
     pub is_faint: bool,
+    /// For the line above a group of rows: what it says over the whole width of the page's table. Its cells are for
+    /// other renderings.
+    pub wide: Option<Cell>,
+}
+
+/// A table in the making whose rows are known and whose columns are said one by one.
+pub(crate) struct Listing<'a, T> {
+    things: Vec<&'a T>,
+    pub table: Table,
 }
 
 impl Table {
@@ -72,11 +62,20 @@ impl Table {
     pub(crate) fn new(label: impl Into<String>, columns: impl IntoIterator<Item = Column>) -> Self {
         Self {
             label: label.into(),
-            class: "",
             columns: columns.into_iter().collect(),
-            groups: Vec::new(),
-            foot: None,
+            ..Self::default()
         }
+    }
+
+    /// A table with a row for each thing, without columns.
+    pub(crate) fn of<'a, T>(
+        label: impl Into<String>,
+        things: impl IntoIterator<Item = &'a T>,
+    ) -> Listing<'a, T> {
+        let things: Vec<&T> = things.into_iter().collect();
+        let rows = things.iter().map(|_| Row::default());
+        let table = Self::new(label, []).extend(rows);
+        Listing { things, table }
     }
 
     pub(crate) fn class(self, class: &'static str) -> Self {
@@ -84,45 +83,86 @@ impl Table {
     }
 
     pub(crate) fn push(&mut self, row: impl Into<Row>) {
-        if self.groups.is_empty() {
-            self.groups.push(Group::default());
-        }
-        if let Some(group) = self.groups.last_mut() {
-            group.rows.push(row.into());
-        }
+        self.rows.push(row.into());
     }
 
     pub(crate) fn extend<R: Into<Row>>(mut self, rows: impl IntoIterator<Item = R>) -> Self {
-        rows.into_iter().for_each(|row| self.push(row));
+        self.rows.extend(rows.into_iter().map(Into::into));
         self
     }
 
     /// Begins a group of rows.
     pub(crate) fn begin(&mut self, wide: Cell, plain: Vec<Cell>) {
-        let head = Some(GroupHead { wide, plain });
-        self.groups.push(Group {
-            head,
-            rows: Vec::new(),
+        let wide = Some(wide);
+        self.push(Row {
+            wide,
+            ..plain.into()
         });
+    }
+}
+
+impl<'a, T> Listing<'a, T> {
+    pub(crate) fn class(mut self, class: &'static str) -> Self {
+        self.table.class = class;
+        self
+    }
+
+    pub(crate) fn text<C: Into<Cell>>(
+        self,
+        head: impl Into<Cell>,
+        cell: impl Fn(&'a T) -> C,
+    ) -> Self {
+        self.column(Column::text(head), cell)
+    }
+
+    pub(crate) fn number<C: Into<Cell>>(
+        self,
+        head: impl Into<Cell>,
+        cell: impl Fn(&'a T) -> C,
+    ) -> Self {
+        self.column(Column::number(head), cell)
+    }
+
+    pub(crate) fn column<C: Into<Cell>>(
+        mut self,
+        column: Column,
+        cell: impl Fn(&'a T) -> C,
+    ) -> Self {
+        self.table.columns.push(column);
+        for (row, thing) in self.table.rows.iter_mut().zip(&self.things) {
+            row.cells.push(cell(thing).into());
+        }
+        self
+    }
+
+    pub(crate) fn faint(mut self, is_faint: impl Fn(&T) -> bool) -> Self {
+        for (row, thing) in self.table.rows.iter_mut().zip(&self.things) {
+            row.is_faint = is_faint(thing);
+        }
+        self
+    }
+
+    /// Sets a head over those of the last columns.
+    pub(crate) fn over(mut self, over: &str, columns: usize) -> Self {
+        for column in self.table.columns.iter_mut().rev().take(columns) {
+            column.over = over.into();
+        }
+        self
     }
 }
 
 impl Column {
     pub(crate) fn text(head: impl Into<Cell>) -> Self {
         Self {
-            over: Cell::default(),
-            head: head.into(),
-            plain: None,
             is_text: true,
-            is_head: false,
-            class: "",
+            ..Self::number(head)
         }
     }
 
     pub(crate) fn number(head: impl Into<Cell>) -> Self {
         Self {
-            is_text: false,
-            ..Self::text(head)
+            head: head.into(),
+            ..Self::default()
         }
     }
 
@@ -135,25 +175,15 @@ impl Column {
         }
     }
 
-    /// What its numbers are counted in.
-    pub(crate) fn unit(mut self, unit: &str) -> Self {
-        self.head = self.head.small(unit);
-        self
-    }
-
     /// What stands above.
     pub(crate) fn over(self, over: impl Into<Cell>) -> Self {
-        Self {
-            over: over.into(),
-            ..self
-        }
+        let over = over.into();
+        Self { over, ..self }
     }
 
     pub(crate) fn plain(self, plain: impl Into<String>) -> Self {
-        Self {
-            plain: Some(plain.into()),
-            ..self
-        }
+        let plain = Some(plain.into());
+        Self { plain, ..self }
     }
 
     pub(crate) fn class(self, class: &'static str) -> Self {
@@ -161,28 +191,12 @@ impl Column {
     }
 }
 
-impl<const N: usize> From<[Cell; N]> for Row {
-    fn from(cells: [Cell; N]) -> Self {
-        Vec::from(cells).into()
-    }
-}
-
-impl From<Vec<Cell>> for Row {
-    fn from(cells: Vec<Cell>) -> Self {
+impl<C: IntoIterator<Item = Cell>> From<C> for Row {
+    fn from(cells: C) -> Self {
         Self {
-            cells,
+            cells: cells.into_iter().collect(),
             ..Self::default()
         }
-    }
-}
-
-impl Column {
-    fn line(&self) -> String {
-        let line = || {
-            let head = self.head.line(|_, text| text.replace('\n', " "));
-            head.replace(['(', ')'], "")
-        };
-        self.plain.clone().unwrap_or_else(line)
     }
 }
 

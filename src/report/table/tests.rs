@@ -7,11 +7,10 @@ fn everything() -> Table {
     let columns = [
         Column::heads("Method", "method"),
         Column::number("FPS"),
-        Column::number("median")
-            .unit("ms")
+        Column::number(("median", "ms"))
             .over("Shadow")
             .plain("Shadow ms"),
-        Column::number("p95").unit("ms").over("Shadow"),
+        Column::number(("p95", "ms")).over("Shadow"),
         Column::text("Status"),
     ];
     let mut table = Table::new("All <of> it", columns).class("results");
@@ -28,13 +27,11 @@ fn everything() -> Table {
     ]);
     table.push(Row {
         reason: "no <geometry> stage".to_owned(),
-        is_absent: true,
         ..[Cell::method("triangle_gs", ""), "unavailable".into()].into()
     });
     table.begin("Town".into(), vec![Cell::strong("Town")]);
     table.push(Row {
         reason: "no model".to_owned(),
-        is_absent: true,
         ..[Cell::from("skipped")].into()
     });
     table.begin("Last".into(), Vec::new());
@@ -42,8 +39,9 @@ fn everything() -> Table {
         reason: "cut off".to_owned(),
         is_faint: true,
         ..[
-            Cell::link("cause-1", "first").with(Part::Drawn(maud::html! { b { "!" } })),
-            None.into(),
+            Cell::from(Part::Link("cause-1".to_owned(), "first".to_owned()))
+                .with(Part::Drawn(maud::html! { b { "!" } })),
+            None::<&str>.into(),
             "a\nb".into(),
             "3".into(),
             "unverified".into(),
@@ -66,9 +64,12 @@ fn markdown() {
 
 #[test]
 fn text() {
-    let columns = ["cause", "1", "2"].map(Column::number);
-    let table = Table::new("", columns)
-        .extend([["fan", "·", "1e-6!"], ["x", "12", ""]].map(|row| row.map(Cell::from)));
+    let rows = [["fan", "·", "1e-6!"], ["x", "12", ""]];
+    let listing = Table::of("", &rows).text("cause", |row| row[0]);
+    let table = listing
+        .number("1", |row| row[1])
+        .number("2", |row| row[2])
+        .table;
     assert_eq!(
         table.text(),
         "cause   1      2\nfan     ·  1e-6!\nx      12\n"

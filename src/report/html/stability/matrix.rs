@@ -1,21 +1,17 @@
 //! The matrix: a row a cause, a column a method.
 
-use maud::{Markup, html};
+use maud::{Markup, PreEscaped, html};
 
-use super::{breakable, cause_id, failure_id};
+use super::{cause_link, failure_id};
 use crate::record::stress::StressMethod;
 use crate::report::format::{count, short};
-use crate::report::html::shell::Section;
+use crate::report::html::shell::{Section, note};
 use crate::report::stability::{self, Failure, Line, Matrix};
 use crate::report::table::{Cell, Column, DASH, Table};
 
 pub(super) fn section(matrix: &Matrix<'_>) -> Section {
     let content = html! {
-        p.note {
-            "A cell says the first value of the cause at which the method fails, and below it the artifact "
-            "pixels there and, after the arrow, where they are the most. Artifacts are wrong pixels "
-            "farther than one pixel from the true shadow boundary. Follow a cell to its picture."
-        }
+        (note(include_str!("../notes/matrix.html")))
         ul.key-list {
             li { span.sample.right { "·" } "right at every value" }
             li { span.sample.declared { "257" } "fails, by a limit that the method declares" }
@@ -29,27 +25,18 @@ pub(super) fn section(matrix: &Matrix<'_>) -> Section {
 
 fn table(matrix: &Matrix<'_>) -> Table {
     let cause = Column::heads(Cell::from("Cause").class("stay"), "stay");
-    let methods = matrix
-        .methods
-        .iter()
-        .map(|method| Column::number(Cell::drawn(head(method))));
-    let columns = [cause].into_iter().chain(methods);
-    let rows = matrix.lines.iter().map(|line| {
-        let cause = Cell::link(cause_id(line), &line.cause.id).small(&line.cause.number);
-        let cells = line.cells.iter().enumerate();
-        let cells = cells.map(|(index, cell)| self::cell(line, index, cell));
-        [cause].into_iter().chain(cells).collect::<Vec<Cell>>()
-    });
-    let mut table = Table::new("Matrix of causes and methods", columns)
+    let mut listing = Table::of("Matrix of causes and methods", &matrix.lines)
         .class("matrix")
-        .extend(rows);
-    let totals = (0..matrix.methods.len()).map(|index| total(matrix, index));
-    let foot: Vec<Cell> = [Cell::from("Causes that fail")]
-        .into_iter()
-        .chain(totals)
-        .collect();
-    table.foot = Some(foot.into());
-    table
+        .column(cause, |line| {
+            Cell::from(cause_link(&line.cause.id)).small(&line.cause.number)
+        });
+    let mut totals = vec![Cell::from("Causes that fail")];
+    for (index, method) in matrix.methods.iter().enumerate() {
+        listing = listing.number(Cell::drawn(head(method)), |line| cell(line, index));
+        totals.push(total(matrix, index));
+    }
+    listing.table.foot = Some(totals.into());
+    listing.table
 }
 
 fn head(method: &StressMethod) -> Markup {
@@ -61,8 +48,17 @@ fn head(method: &StressMethod) -> Markup {
     }
 }
 
-fn cell(line: &Line<'_>, index: usize, cell: &stability::Cell<'_>) -> Cell {
-    match cell {
+/// Text that may break after an underscore and an equals sign, so that columns stay narrow.
+fn breakable(name: &str) -> Markup {
+    html! {
+        @for part in name.split_inclusive(['_', '=']) {
+            (part) @if part.ends_with(['_', '=']) { (PreEscaped("<wbr>")) }
+        }
+    }
+}
+
+fn cell(line: &Line<'_>, index: usize) -> Cell {
+    match &line.cells[index] {
         stability::Cell::Untried => Cell::drawn(html! { span.sr { "not tried" } }),
         stability::Cell::Unavailable { reason } => {
             let hidden = html! { (DASH) span.sr { " unavailable" } };
@@ -79,32 +75,23 @@ fn cell(line: &Line<'_>, index: usize, cell: &stability::Cell<'_>) -> Cell {
                 _ => right.small(format!("– at {unavailable}")),
             }
         }
-        stability::Cell::Fails(failure) => failing(line, index, failure),
+        stability::Cell::Fails(failure) => failing(&failure_id(line, index), failure),
     }
 }
 
-fn failing(line: &Line<'_>, index: usize, failure: &Failure<'_>) -> Cell {
-    let (first, worst) = (failure.first.artifact_px, failure.worst.artifact_px);
-    let is_undeclared = failure.undeclared.is_some();
-    let mark = if failure.begins_undeclared() { "!" } else { "" };
+fn failing(id: &str, failure: &Failure<'_>) -> Cell {
+    let later = failure.undeclared.filter(|_| !failure.begins_undeclared());
     let link = html! {
-        a href={ "#" (failure_id(line, index)) } {
-            (short(failure.first.value)) (mark)
-            @if let Some(later) = failure.undeclared.filter(|_| !failure.begins_undeclared()) {
-                ", " (short(later.value)) "!"
-            }
-            @if is_undeclared { span.sr { " undeclared" } }
+        a href={ "#" (id) } {
+            (short(failure.first.value)) @if failure.begins_undeclared() { "!" }
+            @if let Some(later) = later { ", " (short(later.value)) "!" }
+            @if failure.undeclared.is_some() { span.sr { " undeclared" } }
         }
     };
-    let px = match worst == first {
-        true => count(first),
-        false => format!("{} → {}", count(first), count(worst)),
-    };
-    let class = if is_undeclared {
-        "undeclared"
-    } else {
-        "declared"
-    };
+    let (first, worst) = (failure.first.artifact_px, failure.worst.artifact_px);
+    let then = (worst != first).then(|| format!(" → {}", count(worst)));
+    let px = count(first) + &then.unwrap_or_default();
+    let class = failure.undeclared.map_or("declared", |_| "undeclared");
     Cell::drawn(link).small(px).class(class)
 }
 
@@ -112,7 +99,7 @@ fn failing(line: &Line<'_>, index: usize, failure: &Failure<'_>) -> Cell {
 fn total(matrix: &Matrix<'_>, index: usize) -> Cell {
     let cells = matrix.lines.iter().map(|line| &line.cells[index]);
     let failures: Vec<&Failure<'_>> = cells.filter_map(stability::Cell::failure).collect();
-    let total = Cell::from(failures.len().to_string());
+    let total = Cell::from(failures.len() as u64);
     match failures.iter().filter(|f| f.undeclared.is_some()).count() {
         0 => total,
         undeclared => total.small(format!("{undeclared} undeclared")),
