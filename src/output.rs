@@ -31,10 +31,10 @@ pub fn write_with(
     path: &Path,
     write: impl FnOnce(&mut dyn Write) -> anyhow::Result<()>,
 ) -> anyhow::Result<()> {
-    let attempt = || match Place::of(path)? {
-        Place::New(path) => replace(&path, None, write),
-        Place::Replaced(path, old) => replace(&path, Some(&old), write),
-        Place::Through(file) => buffered(file, write),
+    let attempt = || match Destination::of(path)? {
+        Destination::New(path) => replace(&path, None, write),
+        Destination::Replaced(path, old) => replace(&path, Some(&old), write),
+        Destination::Through(file) => buffered(file, write),
     };
     attempt().with_context(|| format!("cannot write {}", path.display()))
 }
@@ -91,7 +91,7 @@ pub fn is_same_file(a: &Path, b: &Path) -> bool {
 }
 
 /// What is at a path.
-enum Place {
+enum Destination {
     /// Nothing.
     New(PathBuf),
     /// A regular file that may be replaced by another.
@@ -100,7 +100,7 @@ enum Place {
     Through(File),
 }
 
-impl Place {
+impl Destination {
     fn of(path: &Path) -> io::Result<Self> {
         let in_place = || {
             OpenOptions::new()

@@ -24,7 +24,7 @@ pub(super) struct FuzzArgs {
     /// Try this method; may be repeated (default: every method that promises to be exact)
     #[arg(long, value_name = "ID[,key=value...]")]
     method: Vec<String>,
-    /// Number of random scenes (default: 1000, or with --seconds as many as there is time for)
+    /// Number of random scenes (default: 1000, or with --seconds as many as time allows)
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     cases: Option<u64>,
     /// Seed of the first scene; the next scene has the next seed

@@ -30,7 +30,7 @@ pub(super) struct MetamorphicArgs {
     /// A method, with parameters if any; may be given several times (default: all volume methods)
     #[arg(long = "method", value_name = "ID[,key=value...]")]
     methods: Vec<String>,
-    /// Check so many random scenes too
+    /// Number of random scenes to check as well
     #[arg(long, value_name = "N", default_value_t = 100)]
     soups: u64,
     /// Number of the first random scene, and seed of everything that is random in the changes
@@ -45,7 +45,7 @@ pub(super) struct MetamorphicArgs {
 
 /// Sums over the methods and scenes of one row of the table, for each change: `None` where it applied to
 /// no scene.
-struct Row {
+struct SceneChecks {
     name: String,
     /// Wrong pixels, and pixels that differ in any way.
     sums: [Option<(u64, u64)>; Change::ALL.len()],
@@ -96,7 +96,7 @@ pub(super) fn execute(args: &MetamorphicArgs, registry: &Registry) -> anyhow::Re
 
 impl Checks {
     /// Checks each scene as it is and damaged, then random ones; a row each, fewer if the user interrupts.
-    fn rows(&mut self, scenes: &[Scene], args: &MetamorphicArgs) -> Vec<Row> {
+    fn rows(&mut self, scenes: &[Scene], args: &MetamorphicArgs) -> Vec<SceneChecks> {
         self.progress.begin(2 * scenes.len() as u64 + args.soups);
         let mut rows = Vec::new();
         for scene in scenes {
@@ -106,7 +106,7 @@ impl Checks {
                     return rows;
                 }
                 self.progress.phase(&scene.name);
-                let mut row = Row::new(scene.name.clone());
+                let mut row = SceneChecks::new(scene.name.clone());
                 self.check(&mut row, scene, args.seed);
                 rows.push(row);
             }
@@ -114,7 +114,7 @@ impl Checks {
         if args.soups > 0 && !self.progress.interrupted() {
             self.progress.phase("random scenes");
             let mut checked = 0;
-            let mut row = Row::new(String::new());
+            let mut row = SceneChecks::new(String::new());
             for seed in (args.seed..).take(args.soups as usize) {
                 if self.progress.interrupted() {
                     break;
@@ -128,7 +128,7 @@ impl Checks {
         rows
     }
 
-    fn check(&mut self, row: &mut Row, scene: &Scene, seed: u64) {
+    fn check(&mut self, row: &mut SceneChecks, scene: &Scene, seed: u64) {
         let mut random = ChaCha8Rng::seed_from_u64(seed);
         let checked = metamorphic::check(&self.judge, scene, &self.methods, &mut random);
         let differences = checked.unwrap_or_else(|error| {
@@ -226,7 +226,7 @@ fn line(scene: &Scene, difference: &Difference) -> String {
     )
 }
 
-impl Row {
+impl SceneChecks {
     fn new(name: String) -> Self {
         Self {
             name,
@@ -250,9 +250,9 @@ impl Row {
 }
 
 /// Changes down, scenes across: pixels that may not differ, and in brackets all that do.
-fn table(rows: &[Row]) -> String {
+fn table(rows: &[SceneChecks]) -> String {
     const FIRST: usize = 20;
-    let width = |row: &Row| row.name.chars().count().max(10) + 2;
+    let width = |row: &SceneChecks| row.name.chars().count().max(10) + 2;
     let mut text = format!("{:FIRST$}", "");
     for row in rows {
         text.push_str(&format!("{:>1$}", row.name, width(row)));

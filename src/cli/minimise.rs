@@ -25,10 +25,10 @@ pub(super) struct MinimiseArgs {
     /// Size of the picture
     #[arg(long, value_name = "WxH", value_parser = values::size, default_value = "160x120")]
     size: (u32, u32),
-    /// Folder of the scene that is left, `<scene>_minimal.toml` and `.obj`
+    /// Directory for the reduced scene, `<scene>_minimal.toml` and `.obj`
     #[arg(long, value_name = "DIR", default_value = ".")]
     out: PathBuf,
-    /// Time after which it ends with what there is
+    /// Time limit; the smallest scene found by then is kept
     #[arg(long, value_name = "BUDGET", default_value = "60")]
     seconds: u32,
     #[command(flatten)]
@@ -259,13 +259,5 @@ fn shell_word(text: &str) -> String {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn words_for_a_shell() {
-        assert_eq!(shell_word("a/b_c.toml"), "a/b_c.toml");
-        assert_eq!(shell_word("it's a b"), "'it'\\''s a b'");
-        assert_eq!(shell_word(""), "''");
-    }
-}
+#[path = "minimise_tests.rs"]
+mod tests;

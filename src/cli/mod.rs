@@ -24,6 +24,7 @@ use crate::metrics;
 use crate::reference::ReferenceCache;
 use crate::report::LegendEntry;
 use clap::{Args, Parser, Subcommand};
+use std::ffi::OsString;
 use std::process::ExitCode;
 
 /// Exit code for a wrong command line or configuration.
@@ -43,21 +44,21 @@ pub struct Cli {
 enum Command {
     /// Measure and verify what a configuration names, and write a report.
     Run(run::RunArgs),
-    /// As run, but verify every few frames, and look for flicker and visible difference too.
+    /// Like run, but verify every few frames, and measure flicker and visible difference (FLIP) as well.
     Accuracy(accuracy::AccuracyArgs),
     /// Draw one frame with one method, and compare it with the truth.
     Render(render::RenderArgs),
     /// Shrink a scene that a method draws wrong to the few triangles that matter.
     Minimise(minimise::MinimiseArgs),
-    /// Try methods on causes of failure, and say where each fails first.
+    /// Test methods on known causes of failure, and find where each one first fails.
     Stress(stress::StressArgs),
-    /// Try methods on random scenes.
+    /// Test methods on random scenes.
     Fuzz(fuzz::FuzzArgs),
-    /// Change scenes in ways that do not change their shadow, and look whether a mask changes.
+    /// Transform scenes in ways that must not change their shadows, and check that the masks stay the same.
     Metamorphic(metamorphic::MetamorphicArgs),
     /// List methods, scenes, causes of failure and devices.
     List(list::ListArgs),
-    /// Write the report of a run directory again, or one of several runs together.
+    /// Write the report of a run again, or merge several runs into one report.
     Report(report::ReportArgs),
 }
 
@@ -109,7 +110,15 @@ fn check_size(gpu: &Gpu, (width, height): (u32, u32), place: &str) -> Result<(),
 /// The whole program with the methods of `registry`: parses the command line, does what it says, and prints what went
 /// wrong.
 pub fn main(registry: &Registry) -> ExitCode {
-    let done = match Cli::try_parse() {
+    main_with(std::env::args_os(), registry)
+}
+
+/// The same with a command line of the caller's; its first word is the program's name.
+pub fn main_with<I>(line: I, registry: &Registry) -> ExitCode
+where
+    I: IntoIterator<Item: Into<OsString> + Clone>,
+{
+    let done = match Cli::try_parse_from(line) {
         Ok(cli) => cli.execute(registry),
         // Help is what was asked for, or else what is wrong with the command line.
         Err(help) if help.use_stderr() => {

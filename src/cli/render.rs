@@ -3,15 +3,16 @@
 use super::shot::{ShotArgs, kinds_of_error, wrong_pixels};
 use super::{DeviceArgs, check_size, outputs, reference_cache, values};
 use crate::console;
-use crate::gpu::{FrameTimer, FrameTimes};
-use crate::judge::{DeviceScene, Verifier};
+use crate::frame::{FrameResources, PreparedMethod};
+use crate::gpu::{FrameTimer, FrameTimes, Gpu};
+use crate::judge::{DeviceScene, Judgement, Truth, Verifier};
 use crate::methods::Registry;
 use crate::metrics::MaskError;
 use crate::record::Image;
 use crate::variant::Variant;
 use anyhow::Context;
 use serde::Serialize;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Arguments of `svbench render`.
 #[derive(Debug, clap::Args)]
@@ -43,10 +44,48 @@ pub(super) struct RenderArgs {
     device: DeviceArgs,
 }
 
-/// Numbers by name.
-type Counts = serde_json::Map<String, serde_json::Value>;
+impl RenderArgs {
+    /// What is written, by option.
+    fn outputs(&self) -> Vec<(&'static str, &Path)> {
+        let options = [
+            ("--out", &self.out),
+            ("--mask", &self.mask),
+            ("--reference", &self.reference),
+            ("--error", &self.error),
+        ];
+        let named = options.into_iter();
+        named
+            .filter_map(|(option, path)| Some((option, path.as_deref()?)))
+            .collect()
+    }
 
-fn counts<'a>(counts: impl Iterator<Item = (&'a str, u64)>) -> Counts {
+    fn write(
+        &self,
+        picture: &[u8],
+        mask: &[u8],
+        truth: &Truth,
+        judgement: &Judgement,
+    ) -> anyhow::Result<()> {
+        let (size, reference) = (self.size, truth.mask.to_grey());
+        let images = [
+            (&self.out, Image::rgba(size, picture)),
+            (&self.mask, Image::grey(size, mask)),
+            (&self.reference, Image::grey(size, &reference)),
+            (&self.error, Image::rgb(size, &judgement.error_map)),
+        ];
+        for (path, image) in images {
+            if let Some(path) = path {
+                image.write_png(path)?;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Numbers by name.
+type NumbersByName = serde_json::Map<String, serde_json::Value>;
+
+fn counts<'a>(counts: impl Iterator<Item = (&'a str, u64)>) -> NumbersByName {
     counts
         .map(|(name, count)| (name.to_owned(), count.into()))
         .collect()
@@ -65,29 +104,19 @@ struct Output<'a> {
     errors: MaskError,
     /// Of the wrong pixels, those that no tie excuses.
     hard_px: usize,
-    labels: Counts,
-    distances_px: Counts,
+    labels: NumbersByName,
+    distances_px: NumbersByName,
     frame_ms: f64,
     cpu_ms: f64,
     record_ms: f64,
     draw_calls: u32,
-    stages_ms: Counts,
+    stages_ms: NumbersByName,
     warnings: Vec<String>,
 }
 
 pub(super) fn execute(args: &RenderArgs, registry: &Registry) -> anyhow::Result<()> {
     let method = registry.parse(&args.method)?;
-    let outputs = [
-        ("--out", &args.out),
-        ("--mask", &args.mask),
-        ("--reference", &args.reference),
-        ("--error", &args.error),
-    ];
-    let named = outputs.into_iter();
-    let outputs: Vec<_> = named
-        .filter_map(|(option, path)| Some((option, path.as_deref()?)))
-        .collect();
-    outputs::check(&args.shot.inputs()?, &outputs)?;
+    outputs::check(&args.shot.inputs()?, &args.outputs())?;
     let scene = args.shot.load()?;
     let moment = args.shot.moment(&scene)?;
     let gpu = args.device.open()?;
@@ -97,31 +126,18 @@ pub(super) fn execute(args: &RenderArgs, registry: &Registry) -> anyhow::Result<
     let device = DeviceScene::new(&gpu, &scene, args.size)?;
     let prepared = device.prepare(method.as_ref());
     let prepared = prepared.with_context(|| format!("method `{}`", info.id))?;
-    let (mut prepared, stage) = (prepared.method, prepared.resources);
+    let (mut prepared, resources) = (prepared.method, prepared.resources);
 
     let cache = reference_cache()?;
-    let verifier = Verifier::new(&gpu, &scene, &stage, &cache)?;
+    let verifier = Verifier::new(&gpu, &scene, &resources, &cache)?;
     let truth = verifier.truth(&moment)?;
     let mask = verifier.draw_mask(prepared.as_mut(), &truth)?;
     let picture = verifier.read_picture()?;
     let judgement = verifier.compare(&mask, &truth, prepared.as_ref())?;
-    let write = |path: &Option<PathBuf>, image: Image<'_>| {
-        path.as_ref().map_or(Ok(()), |path| image.write_png(path))
-    };
-    write(&args.out, Image::rgba(args.size, &picture))?;
-    write(&args.mask, Image::grey(args.size, &mask))?;
-    write(
-        &args.reference,
-        Image::grey(args.size, &truth.mask.to_grey()),
-    )?;
-    write(&args.error, Image::rgb(args.size, &judgement.error_map))?;
+    args.write(&picture, &mask, &truth, &judgement)?;
 
     // The frame above was this method's first; the times are those of a second one.
-    let mut timer = FrameTimer::new(&gpu);
-    prepared.begin();
-    timer.frame(&gpu, |frame| stage.record(frame, prepared.as_mut()))?;
-    let times = timer.finish(&gpu)?.pop();
-    let times = times.context("the frame's times got lost")?;
+    let times = times_of_next(&gpu, &resources, prepared.as_mut())?;
     let output = Output {
         scene: &scene.name,
         triangles: scene.mesh.caster_triangle_count(),
@@ -157,7 +173,21 @@ pub(super) fn execute(args: &RenderArgs, registry: &Registry) -> anyhow::Result<
     console::check_printed()
 }
 
-fn stages(times: &FrameTimes) -> Counts {
+fn times_of_next(
+    gpu: &Gpu,
+    resources: &FrameResources,
+    method: &mut dyn PreparedMethod,
+) -> anyhow::Result<FrameTimes> {
+    let mut timer = FrameTimer::new(gpu);
+    method.begin();
+    timer.frame(gpu, |frame| resources.record(frame, method))?;
+    timer
+        .finish(gpu)?
+        .pop()
+        .context("the frame's times got lost")
+}
+
+fn stages(times: &FrameTimes) -> NumbersByName {
     times
         .stages
         .iter()

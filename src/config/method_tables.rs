@@ -2,7 +2,7 @@
 
 use super::MethodPlan;
 use super::misplaced::{Misplaced, missing, twice};
-use super::sweep::{Point, expand};
+use super::sweep::{SweepPoint, expand};
 use crate::methods::{Registration, Registry, ShadowMethod};
 use crate::toml_error;
 use crate::variant::Variant;
@@ -73,7 +73,7 @@ fn read_entry(
     };
     let registration =
         (registry.get(name)).map_err(|error| Misplaced::new(id.span(), error.message))?;
-    let plan = |Point { table, on }: Point<'_>| {
+    let plan = |SweepPoint { table, on }: SweepPoint<'_>| {
         let method = configure(registration, &table, &span)?;
         let sweep = on.map(|on| {
             on.sweep(|table| {

@@ -29,7 +29,7 @@ const MAX_PIXELS: u32 = 1 << 16;
 /// All keys but `methods`, whose tables belong to the methods.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Wire {
+struct RunWire {
     title: String,
     #[serde(default = "default_size")]
     size: Spanned<Exactly<u32, 2>>,
@@ -82,7 +82,7 @@ struct ScaleWire {
 /// The scale that a configuration's own numbers are.
 const FULL_SCALE: &str = "full";
 
-impl Wire {
+impl RunWire {
     /// Replaces what the scale `name` replaces, and leaves out the scenes that are not of it.
     fn scale_to(&mut self, name: &str) -> Result<(), String> {
         if let Some(scale) = self.scales.remove(name) {
@@ -204,7 +204,7 @@ pub(crate) fn read_text(path: &Path) -> Result<String, ConfigError> {
 fn parse(text: &str, base: &Path, scale: &str, registry: &Registry) -> Result<RunPlan, Misplaced> {
     let mut document = DeTable::parse(text)?;
     let methods = read_methods(document.get_mut().remove("methods"), registry)?;
-    let mut wire = Wire::deserialize(Deserializer::from(document))?;
+    let mut wire = RunWire::deserialize(Deserializer::from(document))?;
     if wire.scenes.is_empty() {
         return Err(missing("scenes", "scene = \"sphere_grid\""));
     }
@@ -270,7 +270,7 @@ fn cell_timeout(seconds: &Spanned<f64>) -> Result<Option<Duration>, Misplaced> {
     Err(Misplaced::new(seconds.span(), message))
 }
 
-fn verified_frames(wire: &Wire) -> Result<VerifiedFrames, Misplaced> {
+fn verified_frames(wire: &RunWire) -> Result<VerifiedFrames, Misplaced> {
     match (&wire.verified_frames, &wire.verify_every) {
         (Some(_), Some(every)) => Err(Misplaced::new(
             every.span(),

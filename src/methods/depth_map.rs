@@ -18,14 +18,14 @@ pub(super) const TOLERATED_SHARE: f64 = 0.0025;
 /// and some headroom.
 pub(super) const LIMITS: &[Limit] = &[
     Limit {
-        text: "edges are as coarse as the map's texels, and a bias by slope detaches shadows by as much",
+        text: "edges are as coarse as the map's texels, and the slope bias detaches shadows by as much",
         with: &[],
         fails: &[],
         kinds: &[Label::Staircase, Label::DetachedShadow],
         at_most: Bound::Share(0.1),
     },
     Limit {
-        text: "errors of a texel or two where surfaces are thin, steep or close to each other: some acne, some of no \
+        text: "errors of a texel or two where surfaces are thin, steep or close together: some acne, some of no \
                clear kind",
         with: &[],
         fails: &[],

@@ -78,7 +78,7 @@ struct Extent {
 }
 
 /// What a matrix is made for.
-struct Fit {
+struct FrustumFit {
     extent: Extent,
     /// The longest side of the casters' box.
     longest: f64,
@@ -127,6 +127,41 @@ impl CasterVertices {
             .reduce(|| Extent::EMPTY, Extent::union);
         Self { positions, bounds }
     }
+
+    /// What of them the widest frustum along `axes` sees, in its window and along its depth; `None` if nothing.
+    fn window(&self, axes: &Axes, is_point: bool) -> Option<Extent> {
+        let max_tangent = MAX_HALF_ANGLE_DEG.to_radians().tan();
+        let window = |p: DVec3| {
+            let local = axes.local(p);
+            if !is_point {
+                return Some(local);
+            }
+            let tangents = (local.truncate() / local.z).extend(local.z);
+            (local.z > 0.0 && tangents.truncate().abs().max_element() <= max_tangent)
+                .then_some(tangents)
+        };
+        let extent = self
+            .positions
+            .par_iter()
+            .filter_map(|p| window(p.as_dvec3()))
+            .fold(|| Extent::EMPTY, Extent::with)
+            .reduce(|| Extent::EMPTY, Extent::union);
+        if extent.covered == 0 {
+            return None;
+        }
+        let bounds = self.bounds;
+        if extent.covered == bounds.covered {
+            return Some(extent);
+        }
+        // A triangle may have corners outside and be seen inside: no depth of what is before the light is cut away.
+        let Extent { low, high, .. } = bounds;
+        let (_, farthest) = Bounds { low, high }.range_along(axes.forward);
+        Some(Extent {
+            low: extent.low.with_z(0.0),
+            high: extent.high.with_z(farthest - axes.forward.dot(axes.origin)),
+            ..extent
+        })
+    }
 }
 
 impl LightFrustum {
@@ -142,45 +177,9 @@ impl LightFrustum {
         } else {
             Axes::new(centre, -position)
         };
-        let max_tangent = MAX_HALF_ANGLE_DEG.to_radians().tan();
-        let window = |p: DVec3| {
-            let local = axes.local(p);
-            if !is_point {
-                return Some(local);
-            }
-            let tangents = (local.truncate() / local.z).extend(local.z);
-            (local.z > 0.0 && tangents.truncate().abs().max_element() <= max_tangent)
-                .then_some(tangents)
-        };
-        let extent = casters
-            .positions
-            .par_iter()
-            .filter_map(|p| window(p.as_dvec3()))
-            .fold(|| Extent::EMPTY, Extent::with)
-            .reduce(|| Extent::EMPTY, Extent::union);
-        if extent.covered == 0 {
-            return None;
-        }
-        let extent = if extent.covered < bounds.covered {
-            // A triangle may have corners outside and be seen inside: no depth of what is before the light is
-            // cut away.
-            let (_, farthest) = Bounds {
-                low: bounds.low,
-                high: bounds.high,
-            }
-            .range_along(axes.forward);
-            let high = extent.high.with_z(farthest - axes.forward.dot(axes.origin));
-            let low = extent.low.with_z(0.0);
-            Extent {
-                low,
-                high,
-                ..extent
-            }
-        } else {
-            extent
-        };
+        let extent = casters.window(&axes, is_point)?;
         let origin = centre.as_vec3();
-        let fit = Fit {
+        let fit = FrustumFit {
             extent,
             longest: (bounds.high - bounds.low).max_element(),
             is_point,
@@ -198,7 +197,7 @@ impl LightFrustum {
     }
 }
 
-impl Fit {
+impl FrustumFit {
     /// The rows of the matrix.
     fn rows(&self, axes: &Axes) -> [DVec4; 4] {
         let Extent { low, high, .. } = self.extent;
@@ -232,60 +231,5 @@ impl Fit {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::scene::sphere_grid::SphereGrid;
-
-    fn clip(frustum: &LightFrustum, p: Vec3) -> Vec3 {
-        let clip = frustum.view_projection * (p - frustum.origin).extend(1.0);
-        clip.truncate() / clip.w
-    }
-
-    #[test]
-    fn every_caster_is_inside_and_the_rim_is_used() {
-        let mesh = SphereGrid {
-            rows: 3,
-            columns: 4,
-            slices: 8,
-        }
-        .mesh()
-        .expect("valid grid");
-        for light in [
-            Vec4::new(3.0, 40.0, 5.0, 1.0),
-            Vec4::new(0.3, 1.0, 0.2, 0.0),
-        ] {
-            let frustum = LightFrustum::around(&CasterVertices::of(&mesh), light).expect("covers");
-            assert_eq!(frustum.covered, 1.0);
-            let casters = mesh
-                .casters()
-                .flat_map(|o| &mesh.positions[o.vertex_range()]);
-            let (mut low, mut high) = (Vec3::INFINITY, Vec3::NEG_INFINITY);
-            for p in casters {
-                let ndc = clip(&frustum, *p);
-                low = low.min(ndc);
-                high = high.max(ndc);
-            }
-            assert!(low.cmpge(Vec3::new(-1.0, -1.0, 0.0)).all(), "{low}");
-            assert!(high.cmple(Vec3::ONE).all(), "{high}");
-            assert!((high - low).truncate().min_element() > 1.99, "{low} {high}");
-        }
-    }
-
-    #[test]
-    fn a_light_among_the_casters_covers_a_part() {
-        let mesh = SphereGrid {
-            rows: 10,
-            columns: 10,
-            slices: 8,
-        }
-        .mesh()
-        .expect("valid grid");
-        let light = Vec4::new(0.0, 3.0, 0.0, 1.0);
-        let frustum = LightFrustum::around(&CasterVertices::of(&mesh), light).expect("covers some");
-        assert!(
-            frustum.covered > 0.1 && frustum.covered < 1.0,
-            "{}",
-            frustum.covered
-        );
-    }
-}
+#[path = "frustum_tests.rs"]
+mod tests;

@@ -83,7 +83,7 @@ impl Limit {
 
 /// What single precision cannot do, in any method.
 pub(super) const PRECISION_LIMIT: Limit = Limit {
-    text: "vertices are projected in 32-bit floats: wrong where coordinates are a million times \
+    text: "vertices are projected in 32-bit floats: wrong where coordinates are a million times as large as \
            what the picture shows",
     with: &[],
     fails: &[("translation", 6.0), ("large_triangles", 6.0)],

@@ -179,4 +179,49 @@ mod tests {
     fn ids_are_distinct() {
         let _ = Registry::builtin().with::<shadow_map::ShadowMap>();
     }
+
+    #[test]
+    fn the_contract_lists_every_parameter() {
+        let contract = include_str!("../../FORMAT.md");
+        let (_, table) = contract
+            .split_once("| method | parameter | type | default |")
+            .unwrap();
+        let lines = table.lines().skip(2).take_while(|line| !line.is_empty());
+        let mut method = "";
+        let mut rows: Vec<(&str, &str, &str)> = Vec::new();
+        for line in lines {
+            let cells: Vec<&str> = line.split('|').map(str::trim).collect();
+            if !cells[1].is_empty() {
+                method = cells[1];
+            }
+            rows.push((method, cells[2], cells[4]));
+        }
+        let mut listed = BTreeSet::new();
+        for Registration {
+            info, parameters, ..
+        } in Registry::builtin().iter()
+        {
+            let is_volume = info.id.starts_with("silhouette") || info.id.starts_with("triangle");
+            for Parameter { name, default, .. } in parameters {
+                let default = match default.is_null() {
+                    true => "the camera's".to_owned(),
+                    false => default.to_string(),
+                };
+                let position = rows.iter().position(|(methods, names, defaults)| {
+                    let is_its = methods.contains(&format!("`{}`", info.id))
+                        || is_volume && methods.starts_with("all volume methods");
+                    is_its && names.contains(&format!("`{name}`")) && defaults.contains(&default)
+                });
+                let Some(position) = position else {
+                    panic!(
+                        "FORMAT.md has no row for `{name}` of `{}`, default {default}",
+                        info.id
+                    );
+                };
+                listed.insert(position);
+            }
+        }
+        let named = (0..rows.len()).filter(|row| !rows[*row].1.is_empty());
+        assert!(listed.into_iter().eq(named), "FORMAT.md lists others too");
+    }
 }

@@ -23,7 +23,7 @@ pub(super) static INFO: MethodInfo = MethodInfo {
     limits: &[
         depth_map::LIMITS,
         &[Limit {
-            text: "a light among the casters: what its widest frustum (150 degrees) leaves out is lit",
+            text: "a light among the casters: whatever lies outside its widest frustum (150 degrees) is lit",
             with: &[],
             fails: &[],
             kinds: &[Label::Uncovered],

@@ -30,15 +30,15 @@ pub(super) const STENCIL: Capability = Capability::StencilBuffer;
 /// What every volume method cannot do.
 pub(super) const LIMITS: &[Limit] = &[
     Limit {
-        text: "counts in 8 bits: wrong at a point that is in 256 shadow volumes of single triangles, or a multiple \
-               of it; a closed surface counts for two",
+        text: "8-bit counter: wrong where a point lies in 256 single-triangle shadow volumes or a multiple of \
+               that; a closed surface counts as two",
         with: &[],
         fails: &[],
         kinds: &[Label::Overflow],
         at_most: Bound::All,
     },
     Limit {
-        text: "counting=z_pass: wrong where the eye or a part of the near rectangle is in a shadow volume",
+        text: "counting=z_pass: wrong where the eye or part of the near rectangle lies in a shadow volume",
         with: &[("counting", "z_pass")],
         fails: &[
             ("eye_in_volume", 0.45),
@@ -64,8 +64,8 @@ pub(super) const LIMITS: &[Limit] = &[
         at_most: Bound::Share(0.6),
     },
     Limit {
-        text: "front_cap=in_place: wrong in any scene, above all acne, where a cap and its own surface get depths that \
-               differ in the last bit; push_back_px takes most of it away",
+        text: "front_cap=in_place: wrong in any scene, mostly acne, where the depths of a cap and of its own surface \
+               differ in the last bit; push_back_px removes most of it",
         with: &[("front_cap", "in_place")],
         fails: &[],
         kinds: &[
@@ -80,7 +80,7 @@ pub(super) const LIMITS: &[Limit] = &[
         at_most: Bound::Share(0.8),
     },
     Limit {
-        text: "depth=standard: far from the eye the depth buffer cannot tell volumes from the surfaces that they \
+        text: "depth=standard: far from the eye, the depth buffer cannot separate volumes from the surfaces they \
                start from",
         with: &[("depth", "standard")],
         fails: &[
@@ -97,16 +97,16 @@ pub(super) const LIMITS: &[Limit] = &[
     ),
     PRECISION_LIMIT,
     Limit {
-        text: "a wrong pixel or two beside an edge that is clipped, or that a side quad starts from whose depth the \
-               rasteriser cannot tell from the surface's, in about one of a thousand random scenes",
+        text: "a wrong pixel or two beside a clipped edge, or beside an edge whose side quad has the same depth as \
+               the surface after rounding, in about one of a thousand random scenes",
         with: &[],
         fails: &[],
         kinds: &[Label::Unlabelled],
         at_most: Bound::Px(2),
     },
     Limit {
-        text: "single wrong pixels where a side quad starts from a surface and lies in it but for the last bit of \
-               depth: on surfaces edge-on to the light, and in the overlap of triangles in one plane",
+        text: "single wrong pixels where a side quad lies in the surface it starts from, but for the last bit of \
+               depth: on surfaces edge-on to the light, and where coplanar triangles overlap",
         with: &[],
         fails: &[("coplanar_overlap", 64.0)],
         kinds: &[Label::Grazing],
@@ -116,8 +116,8 @@ pub(super) const LIMITS: &[Limit] = &[
 
 /// What volumes of single triangles cannot do.
 pub(super) const TRIANGLE_LIMITS: &[Limit] = &[Limit {
-    text: "single wrong pixels on edges between triangles, where the side quads of both should \
-               cancel; anywhere in the picture where shadows of hundreds of such edges fall",
+    text: "single wrong pixels at edges between triangles, where the side quads of both should cancel; \
+           anywhere in the picture where hundreds of such edges cast shadows",
     with: &[],
     fails: &[("nested_shells", 129.0)],
     kinds: &[Label::Seam],

@@ -2,6 +2,8 @@ use glam::{Vec3, Vec4};
 
 use super::*;
 use crate::scene::Light;
+use std::fs;
+use std::path::Path;
 
 const GRID: &str = r#"title = "Two spheres"
 [mesh]

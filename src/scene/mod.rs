@@ -13,6 +13,7 @@ mod obj_checks;
 mod obj_notes;
 mod obj_problem;
 mod obj_text;
+mod other_kind;
 pub mod part;
 mod polygon;
 pub mod scene_error;

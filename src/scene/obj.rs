@@ -16,6 +16,7 @@ use super::obj_checks::{self, Checked};
 use super::obj_notes::{Shapes, size_note, unread_note};
 pub use super::obj_problem::ObjProblem;
 use super::obj_text;
+use super::other_kind::other_kind;
 use super::part::Part;
 use super::polygon;
 
@@ -114,7 +115,7 @@ pub struct Model {
 /// that are at the same place become one. Material files are not read.
 pub fn load(path: &Path, up: Up) -> Result<Model, ObjError> {
     let bytes = read(path)?;
-    if let Some((what, advice)) = obj_text::other_kind(&bytes) {
+    if let Some((what, advice)) = other_kind(&bytes) {
         let path = path.to_owned();
         return Err(ObjError::OtherKind { path, what, advice });
     }
@@ -185,7 +186,7 @@ fn read(path: &Path) -> Result<Vec<u8>, ObjError> {
 }
 
 /// An object or group: polygons of its own vertices.
-struct Object<'a> {
+struct ObjObject<'a> {
     model: tobj::Model,
     /// Where each polygon is written.
     lines: &'a [usize],
@@ -195,7 +196,7 @@ struct Object<'a> {
 ///
 /// # Panics
 /// When a check has let pass what `tobj` refuses.
-fn objects(checked: &Checked) -> Vec<Object<'_>> {
+fn objects(checked: &Checked) -> Vec<ObjObject<'_>> {
     let as_written = tobj::LoadOptions::default();
     let no_materials = |_: &Path| Ok(Default::default());
     let (models, _) = tobj::load_obj_buf(&mut checked.text.as_bytes(), &as_written, no_materials)
@@ -209,12 +210,12 @@ fn objects(checked: &Checked) -> Vec<Object<'_>> {
         };
         let (lines, after) = rest.split_at(polygons);
         rest = after;
-        Object { model, lines }
+        ObjObject { model, lines }
     };
     models.into_iter().map(object).collect()
 }
 
-impl Object<'_> {
+impl ObjObject<'_> {
     fn part(&self, up: Up) -> (Part, Shapes) {
         let mesh = &self.model.mesh;
         let positions = mesh.positions.as_chunks().0.iter();

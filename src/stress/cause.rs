@@ -38,7 +38,7 @@ pub struct CauseError(String);
 /// A cause as its file says it.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Wire {
+struct CauseWire {
     title: String,
     family: Family,
     number: String,
@@ -52,7 +52,7 @@ impl Cause {
     /// # Errors
     /// When it is no such TOML, when the values do not ascend, or when the family cannot take one of them.
     pub fn parse(text: &str, name_for_errors: &str) -> Result<Self, CauseError> {
-        let wire: Wire = toml::from_str(text)
+        let wire: CauseWire = toml::from_str(text)
             .map_err(|error| CauseError(toml_error::describe(&error, text, name_for_errors)))?;
         let wrong =
             |span, message: &str| CauseError(toml_error::at(&span, message, text, name_for_errors));

@@ -171,8 +171,8 @@ impl Search<'_> {
         self.report("rounding numbers");
         let places = |scene: &Scene| {
             let vertices = 0..scene.mesh.positions.len();
-            let points = [Place::Light, Place::Eye, Place::Target];
-            points.into_iter().chain(vertices.map(Place::Vertex))
+            let points = [ScenePoint::Light, ScenePoint::Eye, ScenePoint::Target];
+            points.into_iter().chain(vertices.map(ScenePoint::Vertex))
         };
         self.round_all(&places(&self.best).collect::<Vec<_>>())?;
         let mut number = 0;
@@ -190,7 +190,7 @@ impl Search<'_> {
     }
 
     /// Rounds all numbers of these points alike, as coarsely as may be.
-    fn round_all(&mut self, places: &[Place]) -> Result<(), Halt> {
+    fn round_all(&mut self, places: &[ScenePoint]) -> Result<(), Halt> {
         const MAX_DECIMALS: i32 = 4;
         let roundings = (0..=MAX_DECIMALS).map(|decimals| 10f64.powi(decimals));
         for per_unit in [1.0, 2.0].into_iter().chain(roundings.skip(1)) {
@@ -217,7 +217,7 @@ impl Search<'_> {
         Ok(())
     }
 
-    fn round_one(&mut self, place: Place, axis: usize) -> Result<(), Halt> {
+    fn round_one(&mut self, place: ScenePoint, axis: usize) -> Result<(), Halt> {
         let point = place.get(&self.best);
         for number in simpler(point[axis]) {
             let mut scene = self.best.clone();
@@ -246,14 +246,14 @@ impl Search<'_> {
 
 /// A point that may be moved.
 #[derive(Clone, Copy)]
-enum Place {
+enum ScenePoint {
     Light,
     Eye,
     Target,
     Vertex(usize),
 }
 
-impl Place {
+impl ScenePoint {
     fn get(self, scene: &Scene) -> Vec3 {
         match self {
             Self::Light => scene.flight.light.keys[0].place,

@@ -35,7 +35,7 @@ pub struct StressPlan {
 /// All keys but `methods`, whose tables belong to the methods.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Wire {
+struct PlanWire {
     title: String,
     #[serde(default = "default_size")]
     size: Spanned<Exactly<u32, 2>>,
@@ -111,7 +111,7 @@ impl StressPlan {
 fn parse(text: &str, registry: &Registry) -> Result<StressPlan, Misplaced> {
     let mut document = DeTable::parse(text)?;
     let methods = read_methods(document.get_mut().remove("methods"), registry)?;
-    let wire = Wire::deserialize(Deserializer::from(document))?;
+    let wire = PlanWire::deserialize(Deserializer::from(document))?;
     let Exactly([width, height]) = *wire.size.get_ref();
     check_size((width, height)).map_err(|message| Misplaced::new(wire.size.span(), message))?;
     let causes = match &wire.causes {

@@ -17,7 +17,7 @@ const PRECISION: f64 = 1.0 / 16.0;
 const TOLERANCE: f64 = 1e-5;
 /// Pixels a frame at one bias.
 #[derive(Clone, Copy)]
-struct Trial {
+struct BiasTrial {
     slope_bias: f64,
     acne_px: f64,
     detached_px: f64,
@@ -69,12 +69,12 @@ pub(super) fn find(
 /// taken to become less as the bias grows; what is returned was tried.
 fn smallest(
     tolerance_px: f64,
-    mut trial: impl FnMut(f64) -> anyhow::Result<Option<Trial>>,
-) -> anyhow::Result<Option<(Trial, Trial)>> {
+    mut trial: impl FnMut(f64) -> anyhow::Result<Option<BiasTrial>>,
+) -> anyhow::Result<Option<(BiasTrial, BiasTrial)>> {
     let (Some(unbiased), Some(largest)) = (trial(0.0)?, trial(LARGEST_BIAS)?) else {
         return Ok(None);
     };
-    let is_enough = |trial: Trial| trial.acne_px <= largest.acne_px + tolerance_px;
+    let is_enough = |trial: BiasTrial| trial.acne_px <= largest.acne_px + tolerance_px;
     let (mut too_small, mut found) = (unbiased, unbiased);
     let mut next = FIRST_BIAS;
     while !is_enough(found) {
@@ -107,7 +107,7 @@ fn try_bias(
     prepared: &mut dyn PreparedMethod,
     verifier: &Verifier<'_>,
     truths: &[Truth],
-) -> anyhow::Result<Trial> {
+) -> anyhow::Result<BiasTrial> {
     let (mut acne_px, mut detached_px) = (0, 0);
     for truth in truths {
         let mask = verifier.draw_mask(prepared, truth)?;
@@ -116,7 +116,7 @@ fn try_bias(
         detached_px += analysis.label_px(Label::DetachedShadow);
     }
     let a_frame = |sum: u64| sum as f64 / truths.len().max(1) as f64;
-    Ok(Trial {
+    Ok(BiasTrial {
         slope_bias,
         acne_px: a_frame(acne_px),
         detached_px: a_frame(detached_px),
@@ -132,7 +132,7 @@ mod tests {
         let mut tried = 0;
         let trial = |slope_bias| {
             tried += 1;
-            Ok(Some(Trial {
+            Ok(Some(BiasTrial {
                 slope_bias,
                 acne_px: acne_px(slope_bias),
                 detached_px: slope_bias,

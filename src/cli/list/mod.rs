@@ -20,7 +20,7 @@ pub(super) struct ListArgs {
     /// Print JSON
     #[arg(long)]
     json: bool,
-    /// Tell what this graphics adapter can run
+    /// Show what this graphics adapter can run
     #[arg(long, value_name = "NAME")]
     adapter: Option<String>,
 }

@@ -34,24 +34,50 @@ impl Bindings {
         buffers: &[(BindingKind, &wgpu::Buffer)],
     ) -> Result<Self, NativeError> {
         let raw = raw_device(device)?;
-        let kinds: Vec<_> = buffers
-            .iter()
-            .map(|(kind, _)| descriptor_type(*kind))
-            .collect();
+        let made = Self::unbound(raw, device, buffers)?;
+        for (binding, (kind, buffer)) in (0..).zip(buffers) {
+            // SAFETY: the clones kept in `_buffers` outlive every use of the descriptor set.
+            unsafe {
+                let handle = buffer
+                    .as_hal::<Vulkan>()
+                    .ok_or(NativeError::NotVulkan)?
+                    .raw_handle();
+                let infos = [vk::DescriptorBufferInfo {
+                    buffer: handle,
+                    offset: 0,
+                    range: vk::WHOLE_SIZE,
+                }];
+                let write = vk::WriteDescriptorSet::default()
+                    .dst_set(made.set)
+                    .dst_binding(binding)
+                    .descriptor_type(descriptor_type(*kind))
+                    .buffer_info(&infos);
+                made.raw.update_descriptor_sets(&[write], &[]);
+            }
+        }
+        Ok(made)
+    }
+
+    /// The set with its layout, before it has any buffer.
+    fn unbound(
+        raw: ash::Device,
+        device: &wgpu::Device,
+        buffers: &[(BindingKind, &wgpu::Buffer)],
+    ) -> Result<Self, NativeError> {
         let slots: Vec<_> = (0..)
-            .zip(&kinds)
-            .map(|(binding, kind)| {
+            .zip(buffers)
+            .map(|(binding, (kind, _))| {
                 vk::DescriptorSetLayoutBinding::default()
                     .binding(binding)
                     .descriptor_count(1)
-                    .descriptor_type(*kind)
+                    .descriptor_type(descriptor_type(*kind))
                     .stage_flags(vk::ShaderStageFlags::ALL_GRAPHICS)
             })
             .collect();
-        let sizes: Vec<_> = kinds
+        let sizes: Vec<_> = buffers
             .iter()
-            .map(|&ty| vk::DescriptorPoolSize {
-                ty,
+            .map(|(kind, _)| vk::DescriptorPoolSize {
+                ty: descriptor_type(*kind),
                 descriptor_count: 1,
             })
             .collect();
@@ -76,26 +102,6 @@ impl Bindings {
             )?;
             (set_layout, pool, layout, sets[0])
         };
-        for (binding, ((_, buffer), kind)) in (0..).zip(buffers.iter().zip(&kinds)) {
-            // SAFETY: the clones kept in `_buffers` outlive every use of the descriptor set.
-            unsafe {
-                let handle = buffer
-                    .as_hal::<Vulkan>()
-                    .ok_or(NativeError::NotVulkan)?
-                    .raw_handle();
-                let infos = [vk::DescriptorBufferInfo {
-                    buffer: handle,
-                    offset: 0,
-                    range: vk::WHOLE_SIZE,
-                }];
-                let write = vk::WriteDescriptorSet::default()
-                    .dst_set(set)
-                    .dst_binding(binding)
-                    .descriptor_type(*kind)
-                    .buffer_info(&infos);
-                raw.update_descriptor_sets(&[write], &[]);
-            }
-        }
         let _buffers = buffers
             .iter()
             .map(|(_, buffer)| (*buffer).clone())

@@ -112,30 +112,12 @@ fn create(
     desc: &PipelineDesc<'_>,
     modules: &[(GlslStage, vk::ShaderModule)],
 ) -> Result<vk::Pipeline, vk::Result> {
-    let stages: Vec<_> = modules
-        .iter()
-        .map(|(stage, module)| {
-            vk::PipelineShaderStageCreateInfo::default()
-                .stage(stage_flag(*stage))
-                .module(*module)
-                .name(c"main")
-        })
-        .collect();
+    let stages: Vec<_> = modules.iter().map(stage_info).collect();
     let (buffers, attributes) = vertex_buffers(desc.input);
     let vertex_input = vk::PipelineVertexInputStateCreateInfo::default()
         .vertex_binding_descriptions(&buffers)
         .vertex_attribute_descriptions(&attributes);
-    let (topology, control_points) = match desc.topology {
-        PrimitiveTopology::Points => (vk::PrimitiveTopology::POINT_LIST, None),
-        PrimitiveTopology::Triangles => (vk::PrimitiveTopology::TRIANGLE_LIST, None),
-        PrimitiveTopology::LinesWithAdjacency => {
-            (vk::PrimitiveTopology::LINE_LIST_WITH_ADJACENCY, None)
-        }
-        PrimitiveTopology::TrianglesWithAdjacency => {
-            (vk::PrimitiveTopology::TRIANGLE_LIST_WITH_ADJACENCY, None)
-        }
-        PrimitiveTopology::Patches(points) => (vk::PrimitiveTopology::PATCH_LIST, Some(points)),
-    };
+    let (topology, control_points) = topology(desc.topology);
     let assembly = vk::PipelineInputAssemblyStateCreateInfo::default().topology(topology);
     let tessellation = vk::PipelineTessellationStateCreateInfo::default()
         .patch_control_points(control_points.unwrap_or_default());
@@ -156,20 +138,7 @@ fn create(
     let viewport = vk::PipelineViewportStateCreateInfo::default()
         .viewports(&viewports)
         .scissors(&scissors);
-    // No depth clamp: what lies before the near plane never fails a depth test, so clipping it
-    // changes no count, and it keeps the depth of the clipped faces precise (a face that reaches
-    // almost to the eye would have depths of thousands, and lose its far end to rounding).
-    let rasterization = vk::PipelineRasterizationStateCreateInfo::default()
-        .rasterizer_discard_enable(desc.raster == Raster::Discard)
-        .polygon_mode(vk::PolygonMode::FILL)
-        .cull_mode(vk::CullModeFlags::NONE)
-        .front_face(vk::FrontFace::COUNTER_CLOCKWISE)
-        .depth_bias_enable(desc.push_back_px != 0.0)
-        .depth_bias_slope_factor(match target.direction {
-            DepthDirection::Reversed => -desc.push_back_px,
-            DepthDirection::Standard => desc.push_back_px,
-        })
-        .line_width(1.0);
+    let rasterization = rasterization(desc, target.direction);
     let depth_stencil = depth_stencil(desc.raster, target.direction);
     let multisample = vk::PipelineMultisampleStateCreateInfo::default()
         .rasterization_samples(vk::SampleCountFlags::TYPE_1);
@@ -192,6 +161,41 @@ fn create(
     unsafe { raw.create_graphics_pipelines(vk::PipelineCache::null(), &[info], None) }
         .map(|pipelines| pipelines[0])
         .map_err(|(_, error)| error)
+}
+
+/// How vertices form primitives, and the control points of a patch.
+fn topology(topology: PrimitiveTopology) -> (vk::PrimitiveTopology, Option<u32>) {
+    match topology {
+        PrimitiveTopology::Points => (vk::PrimitiveTopology::POINT_LIST, None),
+        PrimitiveTopology::Triangles => (vk::PrimitiveTopology::TRIANGLE_LIST, None),
+        PrimitiveTopology::LinesWithAdjacency => {
+            (vk::PrimitiveTopology::LINE_LIST_WITH_ADJACENCY, None)
+        }
+        PrimitiveTopology::TrianglesWithAdjacency => {
+            (vk::PrimitiveTopology::TRIANGLE_LIST_WITH_ADJACENCY, None)
+        }
+        PrimitiveTopology::Patches(points) => (vk::PrimitiveTopology::PATCH_LIST, Some(points)),
+    }
+}
+
+fn rasterization(
+    desc: &PipelineDesc<'_>,
+    direction: DepthDirection,
+) -> vk::PipelineRasterizationStateCreateInfo<'static> {
+    // No depth clamp: what lies before the near plane never fails a depth test, so clipping it
+    // changes no count, and it keeps the depth of the clipped faces precise (a face that reaches
+    // almost to the eye would have depths of thousands, and lose its far end to rounding).
+    vk::PipelineRasterizationStateCreateInfo::default()
+        .rasterizer_discard_enable(desc.raster == Raster::Discard)
+        .polygon_mode(vk::PolygonMode::FILL)
+        .cull_mode(vk::CullModeFlags::NONE)
+        .front_face(vk::FrontFace::COUNTER_CLOCKWISE)
+        .depth_bias_enable(desc.push_back_px != 0.0)
+        .depth_bias_slope_factor(match direction {
+            DepthDirection::Reversed => -desc.push_back_px,
+            DepthDirection::Standard => desc.push_back_px,
+        })
+        .line_width(1.0)
 }
 
 fn vertex_buffers(
@@ -260,6 +264,15 @@ fn depth_stencil(
         .stencil_test_enable(true)
         .front(count(front))
         .back(count(back))
+}
+
+fn stage_info(
+    (stage, module): &(GlslStage, vk::ShaderModule),
+) -> vk::PipelineShaderStageCreateInfo<'static> {
+    vk::PipelineShaderStageCreateInfo::default()
+        .stage(stage_flag(*stage))
+        .module(*module)
+        .name(c"main")
 }
 
 fn stage_flag(stage: GlslStage) -> vk::ShaderStageFlags {

@@ -1,6 +1,6 @@
 //! Rules that look at what stands between false-lit pixels and the light.
 
-use super::frame::Frame;
+use super::frame::JudgedFrame;
 use crate::reference::Evidence;
 
 /// Overflow: an 8-bit stencil counter holds one less than this.
@@ -36,7 +36,7 @@ pub(super) fn samples_a_region(regions: usize) -> usize {
 }
 
 /// Whether so many shadows overlap here that an 8-bit counter cannot tell them from fewer.
-pub(super) fn is_overflow(frame: &Frame<'_>, evidence: &[Evidence]) -> bool {
+pub(super) fn is_overflow(frame: &JudgedFrame<'_>, evidence: &[Evidence]) -> bool {
     // A shadow map counts nothing.
     if frame.texel.is_some() {
         return false;
@@ -46,7 +46,7 @@ pub(super) fn is_overflow(frame: &Frame<'_>, evidence: &[Evidence]) -> bool {
 }
 
 /// Whether the shadow map has no texel here that could say what stands before the light.
-pub(super) fn is_uncovered(frame: &Frame<'_>, evidence: &[Evidence]) -> bool {
+pub(super) fn is_uncovered(frame: &JudgedFrame<'_>, evidence: &[Evidence]) -> bool {
     let Some(texel) = frame.texel else {
         return false;
     };
@@ -55,7 +55,7 @@ pub(super) fn is_uncovered(frame: &Frame<'_>, evidence: &[Evidence]) -> bool {
 }
 
 /// Whether the light shines through between a caster and the beginning of its shadow.
-pub(super) fn is_detached(frame: &Frame<'_>, evidence: &[Evidence]) -> bool {
+pub(super) fn is_detached(frame: &JudgedFrame<'_>, evidence: &[Evidence]) -> bool {
     if evidence.len() < DETACHED_MIN_PX {
         return false;
     }

@@ -5,7 +5,7 @@ use imageproc::image::{GrayImage, Luma};
 use imageproc::morphology::dilate;
 use imageproc::region_labelling::{Connectivity, connected_components};
 
-use super::frame::Frame;
+use super::frame::JudgedFrame;
 use crate::metrics::regions::{Artifact, Sign};
 
 /// Regions of one sign with small gaps between them.
@@ -26,7 +26,12 @@ pub(super) struct Clusters {
 
 impl Clusters {
     /// Regions of this sign belong together if the gap between them is at most `link_px` pixels.
-    pub(super) fn find(frame: &Frame<'_>, artifacts: &[Artifact], sign: Sign, link_px: u8) -> Self {
+    pub(super) fn find(
+        frame: &JudgedFrame<'_>,
+        artifacts: &[Artifact],
+        sign: Sign,
+        link_px: u8,
+    ) -> Self {
         let of_sign = |artifact: &&Artifact| artifact.region.sign == sign;
         let mut clusters = Self {
             all: Vec::new(),

@@ -40,7 +40,7 @@ const LINK_MAX_PX: f64 = 64.0;
 const TEXEL_SAMPLES: usize = 64;
 
 /// A comparison with what is known of its picture.
-pub(super) struct Frame<'a> {
+pub(super) struct JudgedFrame<'a> {
     pub(super) comparison: &'a MaskComparison<'a>,
     pub(super) probe: EvidenceProbe<'a>,
     pub(super) edges: &'a EdgeDistances,
@@ -51,7 +51,7 @@ pub(super) struct Frame<'a> {
     pub(super) width: usize,
 }
 
-impl<'a> Frame<'a> {
+impl<'a> JudgedFrame<'a> {
     pub(super) fn new(
         comparison: &'a MaskComparison<'a>,
         context: &FrameContext<'a>,

@@ -30,7 +30,7 @@ use super::regions::{Artifact, Region, Sign, artifacts};
 use crate::reference::ReferenceError;
 use blockers::{is_detached, is_overflow, is_uncovered, samples_a_region};
 use clusters::Clusters;
-use frame::Frame;
+use frame::JudgedFrame;
 pub use frame::{FrameContext, TexelLookup};
 use grazing::is_grazing;
 pub use seam::SEAM_STEPS;
@@ -71,7 +71,7 @@ pub fn analyse(
     comparison: &MaskComparison<'_>,
     context: &FrameContext<'_>,
 ) -> Result<Analysis, ReferenceError> {
-    let frame = Frame::new(comparison, context)?;
+    let frame = JudgedFrame::new(comparison, context)?;
     let mut artifacts = artifacts(comparison);
     let whole = whole_frame(comparison);
     let staircase = match whole {
@@ -100,7 +100,11 @@ pub fn analyse(
     Ok(analysis)
 }
 
-fn label_regions(frame: &Frame<'_>, artifacts: &mut [Artifact], staircase: Option<&Staircase>) {
+fn label_regions(
+    frame: &JudgedFrame<'_>,
+    artifacts: &mut [Artifact],
+    staircase: Option<&Staircase>,
+) {
     let link_px = frame.link_px();
     let samples = samples_a_region(artifacts.len());
     for sign in [Sign::FalseLit, Sign::FalseShadowed] {

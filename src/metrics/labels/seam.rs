@@ -4,7 +4,7 @@
 //! triangle. Near the edge both quads are as near to the surface as can be, and clipping or tessellation that
 //! gives them another last bit leaves one of them at a pixel.
 
-use super::frame::Frame;
+use super::frame::JudgedFrame;
 use crate::metrics::regions::Artifact;
 
 /// A region of more pixels is something else.
@@ -16,7 +16,7 @@ const MAX_PX: usize = 2;
 pub const SEAM_STEPS: f64 = 16.0;
 
 /// Whether all pixels of a region have such an edge at their centre.
-pub(super) fn is_seam(frame: &Frame<'_>, artifact: &Artifact) -> bool {
+pub(super) fn is_seam(frame: &JudgedFrame<'_>, artifact: &Artifact) -> bool {
     let mut pixels = artifact.pixels.iter();
     artifact.pixels.len() <= MAX_PX
         && pixels.all(|pixel| frame.probe.at_inner_edge(*pixel, SEAM_STEPS))

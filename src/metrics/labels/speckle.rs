@@ -5,7 +5,7 @@
 //! depend on the size of pixels or texels.
 
 use super::clusters::Cluster;
-use super::frame::{Frame, spread};
+use super::frame::{JudgedFrame, spread};
 use crate::metrics::regions::{Sign, artifact_sign};
 use crate::reference::Verdict;
 
@@ -51,7 +51,7 @@ const AWAY_TEXELS: f64 = 2.0;
 const EDGE_SAMPLES: usize = 1024;
 
 /// Whether a cluster of false-shadowed regions is acne.
-pub(super) fn is_speckle(frame: &Frame<'_>, cluster: &Cluster) -> bool {
+pub(super) fn is_speckle(frame: &JudgedFrame<'_>, cluster: &Cluster) -> bool {
     let bar = if frame.texel.is_some() {
         BAR_WITH_TEXELS
     } else {
@@ -73,7 +73,7 @@ pub(super) fn is_speckle(frame: &Frame<'_>, cluster: &Cluster) -> bool {
 }
 
 /// How often a row crosses the pixels, in the mean over the rows that do; or a column, if more often.
-fn crossings(frame: &Frame<'_>, pixels: &[usize]) -> f64 {
+fn crossings(frame: &JudgedFrame<'_>, pixels: &[usize]) -> f64 {
     let (width, results) = (frame.width, frame.comparison.results());
     let in_shadow = |pixel: usize| artifact_sign(results[pixel]) == Some(Sign::FalseShadowed);
     let begins = |pixel: usize| {
@@ -99,7 +99,7 @@ fn crossings(frame: &Frame<'_>, pixels: &[usize]) -> f64 {
 }
 
 /// Whether pixels show a lit surface, farther than this from the true edge.
-fn is_lit_and_away(frame: &Frame<'_>, pixels: &[usize], away_px: f64) -> bool {
+fn is_lit_and_away(frame: &JudgedFrame<'_>, pixels: &[usize], away_px: f64) -> bool {
     let truth = frame.comparison.truth;
     let lit = pixels
         .iter()

@@ -9,7 +9,7 @@ use glam::DVec3;
 use rayon::prelude::*;
 use std::collections::HashSet;
 
-use super::frame::{Frame, TexelLookup};
+use super::frame::{JudgedFrame, TexelLookup};
 use crate::metrics::mask_error::Place;
 use crate::metrics::regions::Artifact;
 use crate::reference::Verdict;
@@ -52,7 +52,7 @@ struct Steps {
 
 impl Staircase {
     /// `None` without texels, or without evidence.
-    pub(super) fn find(frame: &Frame<'_>) -> Option<Self> {
+    pub(super) fn find(frame: &JudgedFrame<'_>) -> Option<Self> {
         let texels = look_up(frame, frame.texel?);
         let at_edge = edge_texels(frame, &texels);
         let mut staircase = Self {
@@ -78,7 +78,7 @@ impl Staircase {
     }
 
     /// Whether a region is part of the staircase.
-    pub(super) fn holds(&self, frame: &Frame<'_>, artifact: &Artifact) -> bool {
+    pub(super) fn holds(&self, frame: &JudgedFrame<'_>, artifact: &Artifact) -> bool {
         let pixels = &artifact.pixels;
         let at_edge = pixels.iter().filter(|&&pixel| self.is_at_edge(pixel));
         if (at_edge.count() as f64) < EDGE_TEXELS_SHARE * pixels.len() as f64 {
@@ -95,7 +95,7 @@ impl Staircase {
     }
 
     /// Counts the pairs of these pixels with each of their four neighbours.
-    fn steps(&self, frame: &Frame<'_>, pixels: impl Iterator<Item = usize>) -> Steps {
+    fn steps(&self, frame: &JudgedFrame<'_>, pixels: impl Iterator<Item = usize>) -> Steps {
         let mut steps = Steps::default();
         for pixel in pixels {
             for other in neighbours(frame, pixel) {
@@ -117,7 +117,7 @@ impl Staircase {
 }
 
 /// The neighbours of a pixel along rows and columns that show the same triangle.
-fn neighbours(frame: &Frame<'_>, pixel: usize) -> impl Iterator<Item = usize> {
+fn neighbours(frame: &JudgedFrame<'_>, pixel: usize) -> impl Iterator<Item = usize> {
     let (width, len) = (frame.width, frame.comparison.results().len());
     let column = pixel % width;
     let own = frame.probe.triangle_id(pixel);
@@ -133,7 +133,7 @@ fn neighbours(frame: &Frame<'_>, pixel: usize) -> impl Iterator<Item = usize> {
 }
 
 /// Whether the true edge passes between two pixels.
-fn edge_between(frame: &Frame<'_>, one: usize, other: usize) -> bool {
+fn edge_between(frame: &JudgedFrame<'_>, one: usize, other: usize) -> bool {
     let truth = frame.comparison.truth;
     matches!(
         (truth.verdict(one), truth.verdict(other)),
@@ -141,7 +141,7 @@ fn edge_between(frame: &Frame<'_>, one: usize, other: usize) -> bool {
     )
 }
 
-fn look_up(frame: &Frame<'_>, texel: &TexelLookup<'_>) -> Vec<Option<Texel>> {
+fn look_up(frame: &JudgedFrame<'_>, texel: &TexelLookup<'_>) -> Vec<Option<Texel>> {
     let results = frame.comparison.results();
     let asked = |pixel: usize| {
         results[pixel].wrong_place().is_some()
@@ -158,7 +158,7 @@ fn look_up(frame: &Frame<'_>, texel: &TexelLookup<'_>) -> Vec<Option<Texel>> {
 }
 
 /// The texels that the true edge runs through, or within a pixel of.
-fn edge_texels(frame: &Frame<'_>, texels: &[Option<Texel>]) -> HashSet<Texel> {
+fn edge_texels(frame: &JudgedFrame<'_>, texels: &[Option<Texel>]) -> HashSet<Texel> {
     let results = frame.comparison.results();
     let at_edge = |&(pixel, _): &(usize, &Option<Texel>)| {
         results[pixel].wrong_place() == Some(Place::Boundary)

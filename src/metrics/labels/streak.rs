@@ -6,7 +6,7 @@
 use glam::DVec2;
 
 use super::clusters::Cluster;
-use super::frame::Frame;
+use super::frame::JudgedFrame;
 use crate::metrics::regions::Artifact;
 
 /// A streak is at least this many pixels long,
@@ -35,7 +35,7 @@ pub(super) enum Leaks {
 }
 
 /// Judges a cluster as a whole. A shadow map has no volumes that could leak.
-pub(super) fn leaks(frame: &Frame<'_>, cluster: &Cluster) -> Leaks {
+pub(super) fn leaks(frame: &JudgedFrame<'_>, cluster: &Cluster) -> Leaks {
     if frame.texel.is_some() {
         Leaks::None
     } else if is_streak(frame, &cluster.pixels, MIN_BROKEN_RATIO) {
@@ -49,7 +49,7 @@ pub(super) fn leaks(frame: &Frame<'_>, cluster: &Cluster) -> Leaks {
 
 impl Leaks {
     /// Whether a region of the cluster is a leak.
-    pub(super) fn hold(self, frame: &Frame<'_>, artifact: &Artifact) -> bool {
+    pub(super) fn hold(self, frame: &JudgedFrame<'_>, artifact: &Artifact) -> bool {
         match self {
             Self::All => true,
             Self::Streaks => is_streak(frame, &artifact.pixels, MIN_RATIO),
@@ -58,7 +58,7 @@ impl Leaks {
     }
 }
 
-fn is_streak(frame: &Frame<'_>, pixels: &[usize], min_ratio: f64) -> bool {
+fn is_streak(frame: &JudgedFrame<'_>, pixels: &[usize], min_ratio: f64) -> bool {
     // What is shorter cannot be long enough, and most regions are.
     if (pixels.len() as f64) < MIN_LENGTH_PX / 4.0 {
         return false;

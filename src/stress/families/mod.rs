@@ -54,7 +54,7 @@ pub(super) enum Family {
 }
 
 /// The numbers that a family takes.
-enum Domain {
+enum ValueRange {
     /// Whole ones in this range.
     Whole(u32, u32),
     /// Any in this range.
@@ -62,8 +62,8 @@ enum Domain {
 }
 
 impl Family {
-    fn domain(self) -> Domain {
-        use Domain::{Between, Whole};
+    fn domain(self) -> ValueRange {
+        use ValueRange::{Between, Whole};
         match self {
             Self::EyeInVolume
             | Self::Flipped
@@ -103,11 +103,11 @@ impl Family {
     /// Says why there is no scene for a value, if there is none.
     pub(super) fn refusal(self, value: f64) -> Option<String> {
         let (is_one, what, least, most) = match self.domain() {
-            Domain::Whole(least, most) => {
+            ValueRange::Whole(least, most) => {
                 let (least, most) = (f64::from(least), f64::from(most));
                 (value.fract() == 0.0, "whole numbers", least, most)
             }
-            Domain::Between(least, most) => (true, "numbers", least, most),
+            ValueRange::Between(least, most) => (true, "numbers", least, most),
         };
         let fits = is_one && (least..=most).contains(&value);
         let message = || format!("this family takes {what} from {least} to {most}, not {value}");
