@@ -360,11 +360,7 @@ fn the_chart_names_every_point_and_marks_zero() {
             };
             assert!(texts.contains(&&*name), "{name} in {}", plot.name);
         }
-        for name in [
-            "shadow_map by resolution",
-            "cube_shadow_map slope_bias=2 by pcf",
-            "0",
-        ] {
+        for name in ["by resolution", "slope_bias=2 by pcf", "0"] {
             assert!(texts.contains(&name), "{name} in {}", plot.name);
         }
     }

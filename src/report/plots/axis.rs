@@ -5,31 +5,26 @@ use std::ops::Range;
 
 use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, ValueFormatter};
 
+/// How much of a logarithmic axis, from its lower end, is kept for zero where there is any.
+const ZERO_BAND: f64 = 0.12;
+const LOG_SCALE: &str = " (log scale)";
+
 /// An axis over a range of values.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Axis {
     pub(super) title: String,
-    log: bool,
+    pub(super) high: f64,
     low: f64,
-    high: f64,
+    log: bool,
     ticks: Vec<f64>,
-    /// How much of the axis, from its lower end, is kept for zero; 0 where zero has no band.
-    zero_band: f64,
+    has_zero_band: bool,
 }
 
 impl Axis {
-    /// A linear axis from zero to a round number above `values`.
-    pub(super) fn from_zero(title: &str, values: impl Iterator<Item = f64>) -> Self {
-        let max = positive(values.fold(0.0, f64::max));
-        let step = round_step(max / 6.0);
-        let steps = (max / step).ceil();
-        Self::linear(title, 0.0, steps * step, step)
-    }
-
-    /// A linear axis over exactly the range of `values`.
-    pub(super) fn exact(title: &str, values: impl Iterator<Item = f64> + Clone) -> Self {
-        let low = values.clone().fold(f64::INFINITY, f64::min);
-        let high = values.fold(f64::NEG_INFINITY, f64::max);
+    /// Linear, over exactly the range of `values`.
+    pub(super) fn exact(title: &str, values: &[f64]) -> Self {
+        let low = values.iter().copied().fold(f64::INFINITY, f64::min);
+        let high = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         let (low, high) = if low < high { (low, high) } else { (0.0, 1.0) };
         Self::linear(title, low, high, round_step((high - low) / 8.0))
     }
@@ -37,33 +32,23 @@ impl Axis {
     fn linear(title: &str, low: f64, high: f64, step: f64) -> Self {
         let first = (low / step).ceil() as i64;
         let last = (high / step + 1e-9).floor() as i64;
-        let ticks = (first..=last).map(|n| n as f64 * step).collect();
         Self {
             title: title.to_owned(),
-            log: false,
-            low,
             high,
-            ticks,
-            zero_band: 0.0,
+            low,
+            ticks: (first..=last).map(|n| n as f64 * step).collect(),
+            ..Self::default()
         }
     }
 
-    /// A logarithmic axis over the positive `values`, from tick to tick.
-    pub(super) fn log(title: &str, values: impl Iterator<Item = f64>) -> Self {
-        let (mut min, mut max) = (f64::INFINITY, 0.0_f64);
-        for value in values.filter(|value| *value > 0.0) {
-            min = min.min(value);
-            max = max.max(value);
-        }
-        let min = if min.is_finite() { min } else { 1.0 };
-        let max = max.max(min);
-        let decades = (max / min).log10();
-        let mantissas: &[f64] = if decades > 4.0 {
-            &[1.0]
-        } else if decades > 0.7 {
-            &[1.0, 2.0, 5.0]
-        } else {
-            &[1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0]
+    /// Logarithmic over the positive `values`, from tick to tick. Zero is shown as zero: where `values`
+    /// have any, in a band of its own.
+    pub(super) fn log(title: &str, values: &[f64]) -> Self {
+        let (min, max) = positive_range(values);
+        let mantissas: &[f64] = match (max / min).log10() {
+            decades if decades > 4.0 => &[1.0],
+            decades if decades > 0.7 => &[1.0, 2.0, 5.0],
+            _ => &[1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0],
         };
         let exponents = min.log10().floor() as i32..=max.log10().floor() as i32 + 1;
         let of = |exponent| mantissas.iter().map(move |m| m * 10_f64.powi(exponent));
@@ -72,72 +57,67 @@ impl Axis {
         let high = ticks.iter().copied().find(|tick| *tick >= max * 1.0001);
         let (low, high) = (low.unwrap_or(min), high.unwrap_or(max * 10.0));
         ticks.retain(|tick| (low..=high).contains(tick));
+        let has_zero_band = values.iter().any(|value| *value <= 0.0);
+        if has_zero_band {
+            ticks.insert(0, 0.0);
+        }
         Self {
-            title: title.to_owned(),
-            log: true,
-            low,
+            title: format!("{title}{LOG_SCALE}"),
             high,
+            low,
+            log: true,
             ticks,
-            zero_band: 0.0,
+            has_zero_band,
         }
     }
 
-    /// A logarithmic axis that shows zero as zero: where `values` have any, in a band of its own, which
-    /// takes `zero_band` of the axis.
-    pub(super) fn log_with_zero(
-        title: &str,
-        values: impl Iterator<Item = f64> + Clone,
-        zero_band: f64,
-    ) -> Self {
-        let has_zero = values.clone().any(|value| value <= 0.0);
-        let mut axis = Self::log(title, values);
-        if has_zero {
-            axis.zero_band = zero_band;
-            axis.ticks.insert(0, 0.0);
-        }
-        axis
-    }
-
-    /// Where the band of zero ends, as a fraction of the axis, if it has one.
-    pub(super) fn zero_band(&self) -> Option<f64> {
-        (self.zero_band > 0.0).then_some(self.zero_band)
-    }
-
-    /// From zero where that shows every value; logarithmic, and called so, where the largest value
+    /// From zero to a round number where that shows every value; logarithmic where the largest value
     /// would press the smallest onto the axis.
-    pub(super) fn fit(title: &str, values: impl Iterator<Item = f64> + Clone) -> Self {
-        let min = values
-            .clone()
-            .filter(|value| *value > 0.0)
-            .fold(f64::INFINITY, f64::min);
-        let max = values.clone().fold(0.0, f64::max);
+    pub(super) fn fit(title: &str, values: &[f64]) -> Self {
+        let (min, max) = positive_range(values);
         if max / min > 30.0 {
-            Self::log(&format!("{title} (log scale)"), values)
-        } else {
-            Self::from_zero(title, values)
+            return Self::log(title, values);
         }
+        let step = round_step(max / 6.0);
+        Self::linear(title, 0.0, (max / step).ceil() * step, step)
+    }
+
+    /// Logarithmic where `values` are far apart; linear over their range where some are below zero.
+    pub(super) fn spread(title: &str, values: &[f64]) -> Self {
+        let (min, max) = positive_range(values);
+        if values.iter().any(|value| *value < 0.0) || max / min < 4.0 {
+            Self::exact(title, values)
+        } else {
+            Self::log(title, values)
+        }
+    }
+
+    /// An axis of so many groups, which are named otherwise.
+    pub(super) fn of_groups(groups: usize) -> Self {
+        Self {
+            high: groups as f64,
+            ..Self::default()
+        }
+    }
+
+    /// Where the axis breaks off before zero, as a fraction of it, if it does.
+    pub(super) fn break_at(&self) -> Option<f64> {
+        self.has_zero_band.then_some(ZERO_BAND * 0.92)
     }
 
     /// Where `value` lies between the axis's ends, 0 to 1. Zero has no place on a logarithmic axis
-    /// and is put into the middle of its band, or at the lower end where it has none.
-    pub(super) fn fraction(&self, value: f64) -> f64 {
-        if self.zero_band > 0.0 && value <= 0.0 {
-            return self.zero_band / 2.0;
+    /// and is put into the middle of its band.
+    fn fraction(&self, value: f64) -> f64 {
+        if self.has_zero_band && value <= 0.0 {
+            return ZERO_BAND / 2.0;
         }
         let fraction = if self.log {
             (value.max(self.low) / self.low).log10() / (self.high / self.low).log10()
         } else {
             (value - self.low) / (self.high - self.low)
         };
-        self.zero_band + (1.0 - self.zero_band) * fraction.clamp(0.0, 1.0)
-    }
-
-    /// An axis of so many groups, which are named otherwise.
-    pub(super) fn of_groups(groups: usize) -> Self {
-        Self {
-            high: groups.max(1) as f64,
-            ..Self::default()
-        }
+        let band = if self.has_zero_band { ZERO_BAND } else { 0.0 };
+        band + (1.0 - band) * fraction.clamp(0.0, 1.0)
     }
 }
 
@@ -169,8 +149,11 @@ impl ValueFormatter<f64> for Axis {
     }
 }
 
-fn positive(value: f64) -> f64 {
-    if value > 0.0 { value } else { 1.0 }
+/// The least and the greatest of the positive `values`; 1 and 1 where there are none.
+fn positive_range(values: &[f64]) -> (f64, f64) {
+    let positive = || values.iter().copied().filter(|value| *value > 0.0);
+    let max = positive().reduce(f64::max).unwrap_or(1.0);
+    (positive().fold(max, f64::min), max)
 }
 
 /// The smallest of 1, 2, 5 times a power of ten that is at least `rough`.
@@ -208,54 +191,46 @@ mod tests {
 
     #[test]
     fn a_linear_axis_begins_at_zero_and_ends_at_a_round_number() {
-        let axis = Axis::from_zero("", [3.0, 11.4].into_iter());
+        let axis = Axis::fit("", &[3.0, 11.4]);
         assert_eq!(labels(&axis), ["0", "2", "4", "6", "8", "10", "12"]);
         assert_eq!(axis.fraction(6.0), 0.5);
     }
 
     #[test]
     fn a_log_axis_has_round_ticks_around_its_values() {
-        let axis = Axis::log("", [32_400.0, 1_960_000.0].into_iter());
+        let axis = Axis::log("", &[32_400.0, 1_960_000.0]);
         assert_eq!(
             labels(&axis),
             ["20k", "50k", "100k", "200k", "500k", "1M", "2M"]
         );
         assert!(axis.fraction(32_400.0) > 0.0 && axis.fraction(1_960_000.0) < 1.0);
-        let axis = Axis::log("", [0.04, 300.0].into_iter());
-        assert_eq!(
-            labels(&axis),
-            [
-                "0.02", "0.05", "0.1", "0.2", "0.5", "1", "2", "5", "10", "20", "50", "100", "200",
-                "500"
-            ]
-        );
+        let axis = Axis::log("", &[0.04, 300.0]);
+        let ends = (&*labels(&axis)[0], labels(&axis)[13].clone());
+        assert_eq!(ends, ("0.02", "500".to_owned()));
     }
 
     #[test]
     fn an_axis_is_logarithmic_only_where_it_must_be() {
-        assert!(!Axis::fit("", [1.0, 20.0].into_iter()).log);
-        assert!(Axis::fit("", [1.0, 50.0].into_iter()).log);
+        assert!(!Axis::fit("", &[1.0, 20.0]).log && Axis::fit("", &[1.0, 50.0]).log);
+        assert!(!Axis::spread("", &[-1.0, 1.0, 9.0]).log && Axis::spread("", &[1.0, 9.0]).log);
     }
 
     #[test]
     fn zero_has_a_band_below_every_other_value() {
-        let axis = Axis::log_with_zero("", [0.0, 0.5, 1000.0].into_iter(), 0.2);
-        assert_eq!(axis.fraction(0.0), 0.1);
-        assert!(axis.fraction(0.5) >= 0.2 && axis.fraction(1000.0) < 1.0);
+        let axis = Axis::log("", &[0.0, 0.5, 1000.0]);
+        assert_eq!(axis.fraction(0.0), ZERO_BAND / 2.0);
+        assert!(axis.fraction(0.5) >= ZERO_BAND && axis.fraction(1000.0) < 1.0);
         assert_eq!(labels(&axis)[0], "0");
-        let axis = Axis::log_with_zero("", [0.5, 1000.0].into_iter(), 0.2);
-        assert_eq!(axis.zero_band(), None);
+        let axis = Axis::log("", &[0.5, 1000.0]);
+        assert_eq!(axis.break_at(), None);
         assert_ne!(labels(&axis)[0], "0");
     }
 
     #[test]
     fn an_axis_over_nothing_still_has_places() {
-        for axis in [
-            Axis::log("", [].into_iter()),
-            Axis::from_zero("", [].into_iter()),
-        ] {
+        for axis in [Axis::log("", &[]), Axis::fit("", &[])] {
             assert!(axis.fraction(1.0).is_finite());
         }
-        assert!(Axis::exact("", [2.0].into_iter()).fraction(2.0).is_finite());
+        assert!(Axis::exact("", &[2.0]).fraction(2.0).is_finite());
     }
 }

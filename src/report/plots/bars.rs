@@ -1,147 +1,71 @@
-//! Grouped bars: a bar per contender in each group, with a whisker where there is a spread.
+//! Grouped bars: a bar per entry of the legend in each group, with a whisker where there is a spread.
 
 use anyhow::Result;
+use plotters::style::text_anchor::HPos;
 
 use super::axis::Axis;
-use super::canvas::{self, CENTER, Canvas, INK, LEFT, MUTED, PAPER, RIGHT, text_width_px};
-use super::frame::{Frame, Room};
-use super::legend::{Key, Legend};
-
+use super::canvas::{Canvas, INK, MUTED, PAPER, Px, Rect, Style, shortened, text_width_px};
+use super::chart::{AxisOf, Chart, Frame};
 use crate::report::curve::Contender;
 
-const GROUP_NAME_PX: i32 = 13;
+const NAME_PX: i32 = 13;
+const LINE_PX: i32 = 17;
 /// Group names that cannot be broken to fit are turned upright and get at most this much room.
 const UPRIGHT_PX: i32 = 220;
 const MAX_BAR_PX: i32 = 56;
 
-#[derive(Debug)]
-pub(super) struct BarChart {
-    pub(super) y: Axis,
-    /// Whose bars they are, and what each looks like.
-    pub(super) keys: Vec<(Key, Contender)>,
-    pub(super) groups: Vec<Group>,
-    /// What several groups side by side have in common, and how many those are; may be empty.
-    pub(super) bands: Vec<(String, usize)>,
-}
-
-/// The bars of one scene.
-#[derive(Debug)]
+/// Bars side by side: those of a scene or of a device.
+#[derive(Debug, Clone, Default)]
 pub(super) struct Group {
     pub(super) name: String,
+    /// What it has in common with groups beside it; may be empty.
+    pub(super) band: String,
     /// Whether these are not results but others' numbers: drawn hollow, gaps without a word.
-    pub(super) hollow: bool,
-    /// A bar per contender, in their order; `None` where nothing was measured.
-    pub(super) bars: Vec<Option<Bar>>,
+    pub(super) is_hollow: bool,
+    /// Value and end of the whisker, for each entry of the legend; `None` where nothing was measured.
+    pub(super) bars: Vec<Option<(f64, f64)>>,
 }
 
-/// A bar and its whisker.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Bar {
-    pub(super) value: f64,
-    /// How far the whisker reaches, if there is one.
-    pub(super) whisker: Option<f64>,
-}
-
-#[derive(Debug, Clone, Copy)]
-struct Slots {
-    /// Left edge of the first bar.
-    left: i32,
-    /// From one bar to the next.
-    pitch: i32,
-}
-
-impl BarChart {
-    pub(super) fn legend(&self) -> Legend<'_> {
-        Legend::of(&self.keys)
-    }
-
-    pub(super) fn paint(&self, canvas: &Canvas<'_, '_>) -> Result<()> {
-        let legend = self.legend();
-        let legend_px = legend.width_px();
-        let (left, right) = (84, canvas.size().0 - legend_px);
-        let group_px = (right - left) / i32::try_from(self.groups.len())?.max(1);
-        let names: Option<Vec<Vec<String>>> = self
-            .groups
-            .iter()
-            .map(|group| broken(&group.name, group_px - 6))
-            .collect();
-        let lines = names
-            .iter()
-            .flatten()
-            .map(Vec::len)
-            .max()
-            .unwrap_or_default() as i32;
-        let name_px = if names.is_some() {
-            14 + 17 * lines
-        } else {
-            let names = self.groups.iter();
-            let longest = names.map(|group| text_width_px(&group.name, GROUP_NAME_PX));
-            longest.max().unwrap_or_default().min(UPRIGHT_PX)
-        };
-        let room = Room {
-            top: 52,
-            right: legend_px,
-            bottom: name_px + 12,
-        };
-        let frame = &Frame::paint(canvas, &Axis::of_groups(self.groups.len()), &self.y, room)?;
-        for (index, group) in self.groups.iter().enumerate() {
-            let group_left = left + index as i32 * group_px;
-            self.paint_group(canvas, frame, group, (group_left, group_px))?;
-            let lines = names.as_ref().map(|names| names[index].as_slice());
-            paint_name(
-                canvas,
-                &group.name,
-                lines,
-                (group_left + group_px / 2, frame.bottom),
-            )?;
+impl Chart {
+    /// A chart of bars.
+    pub(super) fn of_bars(
+        (title, axis): AxisOf<'_>,
+        groups: Vec<Group>,
+        legend: Vec<(Style, Contender)>,
+    ) -> Self {
+        let bars = groups.iter().flat_map(|group| group.bars.iter().flatten());
+        let values: Vec<f64> = bars.flat_map(|(value, end)| [*value, *end]).collect();
+        Self {
+            x: Axis::of_groups(groups.len()),
+            y: axis(title, &values),
+            groups,
+            legend,
+            ..Self::default()
         }
-        self.paint_bands(canvas, frame, group_px)?;
-
-        legend.paint(canvas, (right, frame.top - 10))
     }
+}
 
-    /// Names the bands at the top of the frame, with a line between them.
-    fn paint_bands(&self, canvas: &Canvas<'_, '_>, frame: &Frame, group_px: i32) -> Result<()> {
-        let mut left = frame.left;
-        for (name, groups) in &self.bands {
-            let right = left + *groups as i32 * group_px;
-            let at = ((left + right) / 2, frame.top - 10);
-            canvas.text(name, at, GROUP_NAME_PX, INK, CENTER)?;
-            if left > frame.left {
-                canvas.line(vec![(left, frame.top - 16), (left, frame.bottom)], MUTED, 1)?;
-            }
-            left = right;
-        }
-        Ok(())
-    }
-
-    fn paint_group(
+impl Group {
+    /// Draws the bars of the group at `index`.
+    pub(super) fn paint(
         &self,
         canvas: &Canvas<'_, '_>,
         frame: &Frame,
-        group: &Group,
-        (group_left, group_px): (i32, i32),
+        index: usize,
+        legend: &[(Style, Contender)],
     ) -> Result<()> {
-        let bars = group.bars.len().max(1) as i32;
-        let pitch = (group_px * 5 / 6 / bars).clamp(2, MAX_BAR_PX);
-        let slots = Slots {
-            left: group_left + (group_px - pitch * bars) / 2,
-            pitch,
-        };
-        for (index, bar) in group.bars.iter().enumerate() {
-            match bar {
-                Some(bar) => {
-                    self.paint_bar(canvas, frame, *bar, (index, slots), group.hollow)?;
-                }
-                None if pitch >= 12 && !group.hollow => {
-                    let at = (
-                        slots.left + index as i32 * pitch + pitch / 2,
-                        frame.bottom - 6,
-                    );
-                    canvas.text_upwards("not measured", at, 12, MUTED, LEFT)?;
-                }
-                None => {}
+        let (left, right) = span(frame, index, 1);
+        let bars = self.bars.len().max(1) as i32;
+        let pitch = ((right - left) * 5 / 6 / bars).clamp(2, MAX_BAR_PX);
+        let mut left = (left + right - pitch * bars) / 2;
+        for (bar, (style, _)) in self.bars.iter().zip(legend) {
+            if let Some(bar) = bar {
+                self.paint_bar(canvas, frame, *bar, (left, pitch), *style)?;
+            } else if pitch >= 12 && !self.is_hollow {
+                let at = (left + pitch / 2, frame.area.bottom - 6);
+                canvas.text_upwards("not measured", at, 12, MUTED, HPos::Left)?;
             }
+            left += pitch;
         }
         Ok(())
     }
@@ -150,38 +74,42 @@ impl BarChart {
         &self,
         canvas: &Canvas<'_, '_>,
         frame: &Frame,
-        bar: Bar,
-        (index, slots): (usize, Slots),
-        hollow: bool,
+        (value, end): (f64, f64),
+        (left, pitch): Px,
+        style: Style,
     ) -> Result<()> {
-        let left = slots.left + index as i32 * slots.pitch;
-        let right = left + (slots.pitch - (slots.pitch / 8).max(1)).max(1);
+        let right = left + (pitch - (pitch / 8).max(1)).max(1);
         let middle = (left + right) / 2;
-        let top = frame.place((0.0, bar.value)).1;
-        let key = self.keys[index].0;
-        canvas.rect([(left, top), (right, frame.bottom)], key.color)?;
-        if hollow {
-            let inside = [
-                (left + 2, (top + 2).min(frame.bottom)),
-                (right - 2, frame.bottom),
-            ];
+        let (top, end) = (frame.place((0.0, value)).1, frame.place((0.0, end)).1);
+        let bottom = frame.area.bottom;
+        canvas.rect([(left, top), (right, bottom)], style.color)?;
+        if self.is_hollow {
+            let inside = [(left + 2, (top + 2).min(bottom)), (right - 2, bottom)];
             canvas.rect(inside, PAPER)?;
-        } else if slots.pitch >= 12 && frame.bottom - top >= 20 {
-            let marker = key.marker.unwrap_or(index);
-            canvas.marker(marker, (middle, frame.bottom - 10), 3, PAPER)?;
+        } else if pitch >= 12 && bottom - top >= 20 {
+            let color = PAPER;
+            canvas.marker(Style { color, ..style }, (middle, bottom - 10), 3)?;
         }
-        let end = bar.whisker.map_or(top, |end| frame.place((0.0, end)).1);
-        if bar.whisker.is_some() {
-            canvas.line(vec![(middle, top), (middle, end)], INK, 1)?;
-            let cap = (slots.pitch / 6).clamp(1, 5);
-            canvas.line(vec![(middle - cap, end), (middle + cap, end)], INK, 1)?;
+        if end < top {
+            let cap_px = (pitch / 6).clamp(1, 5);
+            let whisker = Style {
+                cap_px,
+                ..Style::line(INK, 1)
+            };
+            canvas.line(&[(middle, top), (middle, end)], whisker)?;
         }
-        let value = three_digits(bar.value);
-        if text_width_px(&value, 12) <= slots.pitch + 6 {
-            canvas.text(&value, (middle, end - 9), 12, INK, CENTER)?;
+        let value = three_digits(value);
+        if text_width_px(&value, 12) <= pitch + 6 {
+            canvas.text(&value, (middle, end - 9), 12, INK, HPos::Center)?;
         }
         Ok(())
     }
+}
+
+/// From the left edge of the group at `index` to the right edge of the last of so many.
+fn span(frame: &Frame, index: usize, groups: usize) -> Px {
+    let edge = |index| frame.place((index as f64, 0.0)).0;
+    (edge(index), edge(index + groups))
 }
 
 /// A value as a bar's label: three significant digits are what one reads off a chart.
@@ -193,40 +121,79 @@ fn three_digits(value: f64) -> String {
     }
 }
 
-fn paint_name(
-    canvas: &Canvas<'_, '_>,
-    name: &str,
-    lines: Option<&[String]>,
-    (middle, bottom): (i32, i32),
-) -> Result<()> {
-    let Some(lines) = lines else {
-        let chars = UPRIGHT_PX / text_width_px("n", GROUP_NAME_PX);
-        let name = canvas::shortened(name, chars as usize);
-        return canvas.text_upwards(&name, (middle, bottom + 8), GROUP_NAME_PX, INK, RIGHT);
-    };
-    for (index, line) in lines.iter().enumerate() {
-        let at = (middle, bottom + 16 + 17 * index as i32);
-        canvas.text(line, at, GROUP_NAME_PX, INK, CENTER)?;
+/// The names of groups, in lines below them; upright where one has no room for that.
+pub(super) struct GroupNames<'a> {
+    groups: &'a [Group],
+    broken: Option<Vec<Vec<String>>>,
+}
+
+impl<'a> GroupNames<'a> {
+    /// `None` where there are no groups.
+    pub(super) fn of(groups: &'a [Group], width_px: i32) -> Option<Self> {
+        let group_px = width_px.checked_div(groups.len() as i32)?;
+        let names = groups.iter().map(|group| broken(&group.name, group_px - 6));
+        let broken = names.collect();
+        Some(Self { groups, broken })
     }
-    Ok(())
+
+    pub(super) fn height_px(&self) -> i32 {
+        let upright = || {
+            let names = self.groups.iter();
+            let longest = names.map(|group| text_width_px(&group.name, NAME_PX)).max();
+            longest.unwrap_or_default().min(UPRIGHT_PX) + 12
+        };
+        self.broken.as_ref().map_or_else(upright, |names| {
+            let lines = names.iter().map(Vec::len).max().unwrap_or_default();
+            26 + LINE_PX * lines as i32
+        })
+    }
+
+    /// Names the groups below the frame and the bands above it, with a line between bands.
+    pub(super) fn paint(&self, canvas: &Canvas<'_, '_>, frame: &Frame) -> Result<()> {
+        let Rect { top, bottom, .. } = frame.area;
+        for (index, group) in self.groups.iter().enumerate() {
+            let (left, right) = span(frame, index, 1);
+            let middle = (left + right) / 2;
+            let Some(names) = &self.broken else {
+                let chars = UPRIGHT_PX / text_width_px("n", NAME_PX);
+                let name = shortened(&group.name, chars as usize);
+                canvas.text_upwards(&name, (middle, bottom + 8), NAME_PX, INK, HPos::Right)?;
+                continue;
+            };
+            for (line, y) in names[index]
+                .iter()
+                .zip((bottom + 16..).step_by(LINE_PX as usize))
+            {
+                canvas.text(line, (middle, y), NAME_PX, INK, HPos::Center)?;
+            }
+        }
+        let mut first = 0;
+        for band in self.groups.chunk_by(|a, b| a.band == b.band) {
+            let (left, right) = span(frame, first, band.len());
+            let middle = ((left + right) / 2, top - 10);
+            canvas.text(&band[0].band, middle, NAME_PX, INK, HPos::Center)?;
+            if first > 0 {
+                canvas.line(&[(left, top - 16), (left, bottom)], Style::line(MUTED, 1))?;
+            }
+            first += band.len();
+        }
+        Ok(())
+    }
 }
 
 /// `name` broken after underscores and spaces into at most three lines of `width_px`, where it fits.
 fn broken(name: &str, width_px: i32) -> Option<Vec<String>> {
+    let fits = |line: &str| text_width_px(line.trim_end(), NAME_PX) <= width_px;
     let mut lines = vec![String::new()];
     for part in name.split_inclusive(['_', ' ']) {
         let last = lines.last_mut()?;
-        if !last.is_empty() && text_width_px(&format!("{last}{part}"), GROUP_NAME_PX) > width_px {
-            lines.push(part.to_owned());
-        } else {
+        if last.is_empty() || fits(&format!("{last}{part}")) {
             last.push_str(part);
+        } else {
+            lines.push(part.to_owned());
         }
     }
-    let fits = lines.len() <= 3
-        && lines
-            .iter()
-            .all(|line| text_width_px(line.trim_end(), GROUP_NAME_PX) <= width_px);
-    fits.then_some(lines)
+    (lines.len() <= 3 && lines.iter().all(|line| fits(line))).then_some(lines)
 }
 
 #[cfg(test)]

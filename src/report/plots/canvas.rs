@@ -4,12 +4,21 @@ use anyhow::Result;
 use plotters::coord::Shift;
 use plotters::element::DashedPathElement;
 use plotters::prelude::{
-    Circle, Color, DrawingArea, FontTransform, IntoFont, PathElement, Polygon, RGBColor, Rectangle,
-    SVGBackend, TextStyle,
+    Circle, Color, Cross, DrawingArea, FontTransform, IntoFont, PathElement, Polygon, RGBColor,
+    Rectangle, SVGBackend, TextStyle,
 };
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 pub(super) type Px = (i32, i32);
+
+/// A rectangle in pixels.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Rect {
+    pub(super) left: i32,
+    pub(super) top: i32,
+    pub(super) right: i32,
+    pub(super) bottom: i32,
+}
 
 /// Family name under which the program's own font is registered.
 pub(super) const FONT: &str = "sans-serif";
@@ -43,24 +52,48 @@ const PALETTE: [RGBColor; 7] = [
 /// Markers: as many as are told apart at a glance. Seven colours and six shapes make 42 pairs.
 const MARKERS: usize = 6;
 
-pub(super) fn color(index: usize) -> RGBColor {
-    PALETTE[index % PALETTE.len()]
+/// What a line or a marker looks like.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Style {
+    pub(super) color: RGBColor,
+    /// 0 for a marker without a line.
+    pub(super) width_px: u32,
+    /// Number of the marker's shape.
+    pub(super) marker: Option<usize>,
+    /// Length of a line's dashes; 0 for a solid one.
+    pub(super) dash_px: i32,
+    /// Half the length of the bars across a line's ends.
+    pub(super) cap_px: i32,
 }
 
-pub(super) const LEFT: Pos = Pos {
-    h_pos: HPos::Left,
-    v_pos: VPos::Center,
-};
-/// Ends at its place.
-pub(super) const RIGHT: Pos = Pos {
-    h_pos: HPos::Right,
-    v_pos: VPos::Center,
-};
-/// Centred on its place.
-pub(super) const CENTER: Pos = Pos {
-    h_pos: HPos::Center,
-    v_pos: VPos::Center,
-};
+impl Style {
+    pub(super) const fn line(color: RGBColor, width_px: u32) -> Self {
+        Self {
+            color,
+            width_px,
+            marker: None,
+            dash_px: 0,
+            cap_px: 0,
+        }
+    }
+
+    /// The colour and marker of the curve at this place in the run's list.
+    pub(super) fn of(index: usize) -> Self {
+        Self {
+            marker: Some(index),
+            ..Self::line(PALETTE[index % PALETTE.len()], 2)
+        }
+    }
+
+    /// A line that is context, not result: thin and dashed.
+    pub(super) fn dashed(self, dash_px: i32) -> Self {
+        Self {
+            width_px: 1,
+            dash_px,
+            ..self
+        }
+    }
+}
 
 pub(super) struct Canvas<'a, 'b>(pub(super) &'a DrawingArea<SVGBackend<'b>, Shift>);
 
@@ -74,18 +107,21 @@ impl Canvas<'_, '_> {
     /// The plot's title, top left.
     pub(super) fn title(&self, text: &str) -> Result<()> {
         let chars = self.size().0 / 10;
-        self.text(&shortened(text, chars as usize), (16, 24), 18, INK, LEFT)
+        let title = shortened(text, chars as usize);
+        self.text(&title, (16, 24), 18, INK, HPos::Left)
     }
 
+    /// Text that is centred vertically on its place.
     pub(super) fn text(
         &self,
         text: &str,
         at: Px,
         size: i32,
         color: RGBColor,
-        pos: Pos,
+        pos: HPos,
     ) -> Result<()> {
-        Ok(self.0.draw_text(text, &font(size, color).pos(pos), at)?)
+        let style = font(size, color).pos(Pos::new(pos, VPos::Center));
+        Ok(self.0.draw_text(text, &style, at)?)
     }
 
     /// Text read from bottom to top.
@@ -95,43 +131,61 @@ impl Canvas<'_, '_> {
         at: Px,
         size: i32,
         color: RGBColor,
-        pos: Pos,
+        pos: HPos,
     ) -> Result<()> {
         let style = font(size, color).transform(FontTransform::Rotate270);
-        Ok(self.0.draw_text(text, &style.pos(pos), at)?)
+        let style = style.pos(Pos::new(pos, VPos::Center));
+        Ok(self.0.draw_text(text, &style, at)?)
     }
 
-    pub(super) fn line(&self, points: Vec<Px>, color: RGBColor, width_px: u32) -> Result<()> {
-        Ok(self
-            .0
-            .draw(&PathElement::new(points, color.stroke_width(width_px)))?)
-    }
-
-    /// A thin line of dashes, `dash_px` long and as far apart.
-    pub(super) fn dashed_line(&self, points: Vec<Px>, color: RGBColor, dash_px: i32) -> Result<()> {
-        let path = DashedPathElement::new(points, dash_px, dash_px, color.stroke_width(1));
-        Ok(self.0.draw(&path)?)
+    pub(super) fn line(&self, points: &[Px], style: Style) -> Result<()> {
+        let (stroke, dash_px) = (style.color.stroke_width(style.width_px), style.dash_px);
+        let path = points.to_vec();
+        if dash_px > 0 {
+            self.0
+                .draw(&DashedPathElement::new(path, dash_px, dash_px, stroke))?;
+        } else if style.width_px > 0 {
+            self.0.draw(&PathElement::new(path, stroke))?;
+        }
+        let (Some(first), Some(last), true) = (points.first(), points.last(), style.cap_px > 0)
+        else {
+            return Ok(());
+        };
+        let is_upright = first.0 == last.0;
+        let (dx, dy) = if is_upright {
+            (style.cap_px, 0)
+        } else {
+            (0, style.cap_px)
+        };
+        for (x, y) in [first, last] {
+            let cap = vec![(x - dx, y - dy), (x + dx, y + dy)];
+            self.0.draw(&PathElement::new(cap, stroke))?;
+        }
+        Ok(())
     }
 
     pub(super) fn rect(&self, corners: [Px; 2], fill: RGBColor) -> Result<()> {
         Ok(self.0.draw(&Rectangle::new(corners, fill.filled()))?)
     }
 
-    /// The marker of the contender at `index`, `r` pixels about `(x, y)`.
-    pub(super) fn marker(&self, index: usize, (x, y): Px, r: i32, fill: RGBColor) -> Result<()> {
+    /// The marker of a style, if it has one, `r` pixels about `(x, y)`.
+    pub(super) fn marker(&self, style: Style, (x, y): Px, r: i32) -> Result<()> {
+        let Some(marker) = style.marker else {
+            return Ok(());
+        };
+        let fill = style.color.filled();
         // A triangle or a diamond must reach farther to look as large as a circle.
         let far = r + r / 3;
-        let polygon = |points: &[Px]| self.0.draw(&Polygon::new(points, fill.filled()));
-        match index % MARKERS {
-            0 => self.0.draw(&Circle::new((x, y), r, fill.filled()))?,
-            1 => return self.rect([(x - r, y - r), (x + r, y + r)], fill),
+        let polygon = |points: &[Px]| self.0.draw(&Polygon::new(points, fill));
+        match marker % MARKERS {
+            0 => self.0.draw(&Circle::new((x, y), r, fill))?,
+            1 => return self.rect([(x - r, y - r), (x + r, y + r)], style.color),
             2 => polygon(&[(x, y - far), (x + far, y + r), (x - far, y + r)])?,
             3 => polygon(&[(x, y - far), (x + far, y), (x, y + far), (x - far, y)])?,
             4 => polygon(&[(x, y + far), (x + far, y - r), (x - far, y - r)])?,
-            _ => {
-                self.line(vec![(x - r, y - r), (x + r, y + r)], fill, 2)?;
-                self.line(vec![(x - r, y + r), (x + r, y - r)], fill, 2)?;
-            }
+            _ => self
+                .0
+                .draw(&Cross::new((x, y), r, style.color.stroke_width(2)))?,
         }
         Ok(())
     }

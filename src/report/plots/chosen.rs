@@ -4,7 +4,7 @@
 //! [`EASY`], a sweep is shown by its two ends alone; of what is left, the first [`MOST`] in the run's
 //! order. A plot that leaves any out says so in its title; all of them are in the tables.
 
-use super::legend::Key;
+use super::canvas::Style;
 use crate::report::curve::{Contender, Curves};
 use crate::report::load::Run;
 
@@ -16,7 +16,7 @@ const MOST: usize = 24;
 #[derive(Debug)]
 pub(super) struct Chosen {
     /// What each looks like. Those of one curve share its colour and differ in their markers.
-    pub(super) keys: Vec<(Key, Contender)>,
+    pub(super) keys: Vec<(Style, Contender)>,
     /// What is added to a plot's title: how many of how many, where not all.
     pub(super) remark: String,
 }
@@ -35,23 +35,18 @@ impl Chosen {
         } else {
             String::new()
         };
-        let mut keys: Vec<(Key, Contender)> = Vec::new();
         let mut of_curve = vec![0; curves.all.len()];
-        for (contender, place, _) in shown.into_iter().map(|index| &curves.members[index]) {
-            let key = Key {
-                marker: Some(place + of_curve[*place]),
-                ..Key::of(*place)
-            };
+        let keys = shown.into_iter().map(|index| {
+            let (contender, place, _) = &curves.members[index];
+            let marker = Some(place + of_curve[*place]);
             of_curve[*place] += 1;
-            keys.push((key, contender.clone()));
+            let style = Style::of(*place);
+            (Style { marker, ..style }, contender.clone())
+        });
+        Self {
+            keys: keys.collect(),
+            remark,
         }
-        Self { keys, remark }
-    }
-
-    /// What a contender looks like; `None` if it is not shown.
-    pub(super) fn key(&self, contender: &Contender) -> Option<Key> {
-        let entry = self.keys.iter().find(|(_, known)| known == contender);
-        entry.map(|(key, _)| *key)
     }
 }
 
@@ -61,11 +56,7 @@ fn is_end(curves: &Curves, index: usize) -> bool {
     let Some(value) = value else { return true };
     let on_curve = curves.members.iter().filter(|(_, other, _)| other == place);
     let values: Vec<f64> = on_curve.filter_map(|(_, _, value)| *value).collect();
-    let (below, above) = (
-        values.iter().any(|other| other < value),
-        values.iter().any(|other| other > value),
-    );
-    !(below && above)
+    values.iter().all(|other| other >= value) || values.iter().all(|other| other <= value)
 }
 
 #[cfg(test)]

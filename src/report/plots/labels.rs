@@ -1,9 +1,9 @@
 //! Places for the names of points, so that none lies over another or over a marker.
 //!
 //! Greedy, in the order given: each name tries places around its point, near ones first, and takes the
-//! cheapest that is free. Names that had to go far get a line back to their point.
+//! cheapest. Names that had to go far get a line back to their point.
 
-use super::canvas::Px;
+use super::canvas::{Px, Rect};
 
 /// From a point's middle to its name.
 const MARGIN_PX: i32 = 8;
@@ -14,10 +14,17 @@ const RINGS: i32 = 36;
 const MARKER_PX: i32 = 6;
 /// A name this far from its point still reads as the point's own, without a line.
 const NEAR_PX: i32 = 14;
-/// What it costs to lie over a line, in pixels of distance.
-const CROSSING: i32 = 40;
-/// What it costs to have names or markers under the line back to the point: it then seems to be theirs.
-const OVERRUN: i32 = 60;
+/// From one place at which a line is looked at to the next.
+const STEP_PX: i32 = 6;
+/// What it costs to lie over another name or a marker, in pixels of distance: nothing is worse.
+const OVERLAP: i32 = 100_000;
+/// What it costs to lie over a line, for each step of it.
+const CROSSING: i32 = 8;
+/// What it costs to have a name or marker under the line back to the point, which then seems to be theirs,
+/// for each step.
+const OVERRUN: i32 = 20;
+/// What it costs to need that line.
+const LEADER: i32 = 10;
 /// The sixteen directions, to the right first, where one looks for a name.
 const DIRECTIONS: [(f64, f64); 16] = [
     (1.0, 0.0),
@@ -38,14 +45,6 @@ const DIRECTIONS: [(f64, f64); 16] = [
     (-1.0, 0.5),
 ];
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Rect {
-    pub(super) left: i32,
-    pub(super) top: i32,
-    pub(super) right: i32,
-    pub(super) bottom: i32,
-}
-
 /// A point that wants its name placed.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Anchor {
@@ -61,6 +60,9 @@ pub(super) struct Placed {
     pub(super) leader: Option<[Px; 2]>,
 }
 
+/// What names should keep off, and what it costs to lie over it.
+type Obstacle = (Rect, i32);
+
 impl Rect {
     fn around((x, y): Px, half: i32) -> Self {
         Self {
@@ -71,7 +73,7 @@ impl Rect {
         }
     }
 
-    pub(super) fn overlaps(&self, other: &Self) -> bool {
+    fn overlaps(&self, other: &Self) -> bool {
         let across = self.left < other.right && other.left < self.right;
         across && self.top < other.bottom && other.top < self.bottom
     }
@@ -80,81 +82,69 @@ impl Rect {
         let across = self.left <= other.left && other.right <= self.right;
         across && self.top <= other.top && other.bottom <= self.bottom
     }
-
-    /// The place in it that is nearest to `(x, y)`.
-    fn nearest(&self, (x, y): Px) -> Px {
-        (
-            x.clamp(self.left, self.right),
-            y.clamp(self.top, self.bottom),
-        )
-    }
-
-    fn is_crossed_by(&self, [from, to]: [Px; 2]) -> bool {
-        let (dx, dy) = (f64::from(to.0 - from.0), f64::from(to.1 - from.1));
-        let (mut enter, mut leave) = (0.0_f64, 1.0_f64);
-        let sides = [
-            (-dx, from.0 - self.left),
-            (dx, self.right - from.0),
-            (-dy, from.1 - self.top),
-            (dy, self.bottom - from.1),
-        ];
-        for (slope, room) in sides {
-            let room = f64::from(room);
-            if slope == 0.0 {
-                if room <= 0.0 {
-                    return false;
-                }
-            } else if slope < 0.0 {
-                enter = enter.max(room / slope);
-            } else {
-                leave = leave.min(room / slope);
-            }
-        }
-        enter < leave
-    }
 }
 
 /// Places the names within `bounds`, with `lines` drawn under them; in the order of `anchors`.
-pub(super) fn place(anchors: &[Anchor], bounds: Rect, lines: &[[Px; 2]]) -> Vec<Placed> {
-    let markers: Vec<Rect> = anchors
+pub(super) fn place(anchors: &[Anchor], bounds: Rect, lines: &[Vec<Px>]) -> Vec<Placed> {
+    let markers = anchors
         .iter()
-        .map(|anchor| Rect::around(anchor.at, MARKER_PX))
-        .collect();
-    let mut placed: Vec<Placed> = Vec::new();
+        .map(|anchor| Rect::around(anchor.at, MARKER_PX));
+    let mut obstacles: Vec<Obstacle> = markers.map(|rect| (rect, OVERLAP)).collect();
+    let ends = lines.iter().flat_map(|line| line.windows(2));
+    obstacles.extend(ends.flat_map(|ends| obstacles_along(ends[0], ends[1])));
+    let mut all = Vec::new();
     for anchor in anchors {
-        let mut best: Option<(i32, Placed)> = None;
-        for candidate in candidates(*anchor).filter(|rect| bounds.contains(rect)) {
-            let found = with_leader(candidate, anchor.at);
-            let cost = cost(&found, *anchor, &placed, &markers, lines);
-            if best.as_ref().is_none_or(|(least, _)| cost < *least) {
-                best = Some((cost, found));
+        // A name wider than the chart is placed all the same: left out, its point had no name.
+        let mut best = (i32::MAX, placed_at(*anchor, DIRECTIONS[0], 0));
+        // No place farther out is cheaper than its distance.
+        for far_px in (0..RINGS).map(|ring| ring * RING_PX) {
+            if far_px >= best.0 {
+                break;
+            }
+            for direction in DIRECTIONS {
+                let found = placed_at(*anchor, direction, far_px);
+                if bounds.contains(&found.rect) {
+                    let cost = cost(&found, anchor.at, &obstacles);
+                    best = if cost < best.0 { (cost, found) } else { best };
+                }
             }
         }
-        // A name wider than the chart is placed all the same: left out, its point had no name.
-        let fallback = || with_leader(rect_at(*anchor, DIRECTIONS[0], 0), anchor.at);
-        placed.push(best.map_or_else(fallback, |(_, found)| found));
+        let (_, placed) = best;
+        obstacles.push((placed.rect, OVERLAP));
+        obstacles.extend(
+            placed
+                .leader
+                .into_iter()
+                .flat_map(|[from, to]| obstacles_along(from, to)),
+        );
+        all.push(placed);
     }
-    placed
+    all
 }
 
-fn candidates(anchor: Anchor) -> impl Iterator<Item = Rect> {
-    (0..RINGS).flat_map(move |ring| {
-        DIRECTIONS
-            .into_iter()
-            .map(move |direction| rect_at(anchor, direction, ring * RING_PX))
-    })
-}
-
-fn rect_at(Anchor { at, size }: Anchor, (dx, dy): (f64, f64), far_px: i32) -> Rect {
+fn placed_at(Anchor { at, size }: Anchor, (dx, dy): (f64, f64), far_px: i32) -> Placed {
     // Beyond the first ring, round about the point rather than wide about a wide name.
-    let out = |half: i32, part: f64| ((f64::from(half + MARGIN_PX + far_px)) * part).round() as i32;
-    let middle = (at.0 + out(size.0 / 2, dx), at.1 + out(size.1 / 2, dy));
-    Rect {
-        left: middle.0 - size.0 / 2,
-        top: middle.1 - size.1 / 2,
-        right: middle.0 - size.0 / 2 + size.0,
-        bottom: middle.1 - size.1 / 2 + size.1,
-    }
+    let out =
+        |size: i32, part: f64| (f64::from(size / 2 + MARGIN_PX + far_px) * part).round() as i32;
+    let left = at.0 + out(size.0, dx) - size.0 / 2;
+    let top = at.1 + out(size.1, dy) - size.1 / 2;
+    let rect = Rect {
+        left,
+        top,
+        right: left + size.0,
+        bottom: top + size.1,
+    };
+    let end = nearest(rect, at);
+    let leader = (distance_px(at, end) > NEAR_PX).then_some([at, end]);
+    Placed { rect, leader }
+}
+
+/// The place in `rect` that is nearest to `(x, y)`.
+fn nearest(rect: Rect, (x, y): Px) -> Px {
+    (
+        x.clamp(rect.left, rect.right),
+        y.clamp(rect.top, rect.bottom),
+    )
 }
 
 fn distance_px(from: Px, to: Px) -> i32 {
@@ -163,45 +153,29 @@ fn distance_px(from: Px, to: Px) -> i32 {
         .round() as i32
 }
 
-fn with_leader(rect: Rect, at: Px) -> Placed {
-    let end = rect.nearest(at);
-    let leader = (distance_px(at, end) > NEAR_PX).then_some([at, end]);
-    Placed { rect, leader }
+/// A line as obstacles: a small one at every step.
+fn obstacles_along(from: Px, to: Px) -> impl Iterator<Item = Obstacle> {
+    let steps = distance_px(from, to) / STEP_PX + 1;
+    let between = move |from: i32, to: i32, step: i32| from + (to - from) * step / steps;
+    let at = move |step| (between(from.0, to.0, step), between(from.1, to.1, step));
+    (0..=steps).map(move |step| (Rect::around(at(step), 1), CROSSING))
 }
 
-/// What a place costs: nothing is worse than to lie over another name or a marker.
-fn cost(
-    found: &Placed,
-    anchor: Anchor,
-    placed: &[Placed],
-    markers: &[Rect],
-    lines: &[[Px; 2]],
-) -> i32 {
-    let own_marker = Rect::around(anchor.at, MARKER_PX);
-    let names = placed.iter().map(|other| &other.rect);
-    let taken = names
-        .clone()
-        .chain(markers)
-        .filter(|other| found.rect.overlaps(other));
-    let leaders = placed.iter().filter_map(|other| other.leader.as_ref());
-    let under = lines
+fn cost(found: &Placed, at: Px, obstacles: &[Obstacle]) -> i32 {
+    let under = obstacles
         .iter()
-        .chain(leaders)
-        .filter(|line| found.rect.is_crossed_by(**line));
-    let overrun = found.leader.map_or(0, |leader| {
-        let in_the_way = names.chain(markers.iter().filter(|marker| **marker != own_marker));
-        in_the_way
-            .filter(|other| other.is_crossed_by(leader))
-            .count()
-    });
-    let distance = distance_px(anchor.at, found.rect.nearest(anchor.at));
-    let leader = if found.leader.is_some() { 10 } else { 0 };
-    let counted = |count: usize, each: i32| i32::try_from(count).unwrap_or(1000).min(1000) * each;
-    distance
-        + leader
-        + counted(under.count(), CROSSING)
-        + counted(overrun, OVERRUN)
-        + counted(taken.count(), 100_000)
+        .filter(|(rect, _)| found.rect.overlaps(rect));
+    let distance = distance_px(at, nearest(found.rect, at));
+    let cost = distance + under.map(|(_, cost)| cost).sum::<i32>();
+    let Some([from, to]) = found.leader else {
+        return cost;
+    };
+    let point = Rect::around(at, 1);
+    let in_the_way = |(rect, cost): &&Obstacle| *cost == OVERLAP && !rect.overlaps(&point);
+    let in_the_way: Vec<&Obstacle> = obstacles.iter().filter(in_the_way).collect();
+    let is_over = |(step, _): &Obstacle| in_the_way.iter().any(|(rect, _)| rect.overlaps(step));
+    let overrun = obstacles_along(from, to).filter(is_over).count();
+    cost + LEADER + overrun as i32 * OVERRUN
 }
 
 #[cfg(test)]
@@ -214,20 +188,23 @@ mod tests {
         right: 1100,
         bottom: 700,
     };
+    const ALONE: Anchor = Anchor {
+        at: (500, 300),
+        size: (80, 16),
+    };
 
     fn check(anchors: &[Anchor]) -> Vec<Placed> {
         let placed = place(anchors, BOUNDS, &[]);
         assert_eq!(placed.len(), anchors.len());
+        let markers = anchors
+            .iter()
+            .map(|anchor| Rect::around(anchor.at, MARKER_PX));
+        let markers: Vec<Rect> = markers.collect();
         for (index, one) in placed.iter().enumerate() {
             assert!(BOUNDS.contains(&one.rect), "{one:?}");
-            for other in &placed[..index] {
-                assert!(!one.rect.overlaps(&other.rect), "{one:?} {other:?}");
-            }
-            for anchor in anchors {
-                assert!(
-                    !one.rect.overlaps(&Rect::around(anchor.at, MARKER_PX)),
-                    "{one:?}"
-                );
+            let others = placed[..index].iter().map(|other| &other.rect);
+            for other in others.chain(&markers) {
+                assert!(!one.rect.overlaps(other), "{one:?} {other:?}");
             }
         }
         placed
@@ -235,11 +212,7 @@ mod tests {
 
     #[test]
     fn a_name_alone_stands_right_of_its_point() {
-        let anchor = Anchor {
-            at: (500, 300),
-            size: (80, 16),
-        };
-        let placed = check(&[anchor]);
+        let placed = check(&[ALONE]);
         assert!(
             placed[0].rect.left > 500 && placed[0].leader.is_none(),
             "{placed:?}"
@@ -262,12 +235,9 @@ mod tests {
 
     #[test]
     fn a_name_keeps_off_lines_where_it_can() {
-        let anchor = Anchor {
-            at: (500, 300),
-            size: (80, 16),
-        };
-        let line = [(500, 300), (1000, 300)];
-        let placed = place(&[anchor], BOUNDS, &[line]);
-        assert!(!placed[0].rect.is_crossed_by(line), "{placed:?}");
+        let (from, to) = ((500, 300), (1000, 300));
+        let placed = place(&[ALONE], BOUNDS, &[vec![from, to]]);
+        let under = obstacles_along(from, to).filter(|(at, _)| placed[0].rect.overlaps(at));
+        assert_eq!(under.count(), 0, "{placed:?}");
     }
 }

@@ -1,7 +1,7 @@
 //! Plots of a run: each is drawn as an SVG, and its PNG is that SVG in pixels.
 //!
-//! One plot a file: `pareto`, `errors_by_parameter`, `shadow_time_by_triangles`, `flight`, `shadow_time_by_scene`, `paper`.
-//! These choose the data; `scatter`, `lines` and `bars` draw it.
+//! `pareto`, `errors_by_parameter`, `shadow_time` and `paper` choose the data and give it as a `chart`, which draws
+//! it.
 
 use std::path::Path;
 use std::sync::{LazyLock, Once};
@@ -18,31 +18,24 @@ use super::pareto::Cloud;
 use crate::output::{self, remove_stale, write_atomically};
 use crate::record::Image;
 use canvas::Canvas;
+use chart::Chart;
 
 mod axis;
 mod bars;
 mod canvas;
+mod chart;
 mod chosen;
 mod errors_by_parameter;
-mod flight;
-mod frame;
 mod labels;
 mod legend;
-mod lines;
 mod paper;
 mod pareto;
-mod sample_row;
-mod scatter;
-mod shadow_time_by_scene;
-mod shadow_time_by_triangles;
+mod shadow_time;
 
 /// Name of the folder of plots in a run directory.
 pub(crate) const PLOTS_DIR: &str = "plots";
 /// How the names of plots begin that depend on the scenes of a run.
 const SCENE_PLOT_PREFIXES: [&str; 2] = [pareto::PREFIX, errors_by_parameter::PREFIX];
-
-/// Size of a plot in pixels; scatter charts are larger, and charts with long legends higher.
-const SIZE_PX: (u32, u32) = (900, 560);
 
 /// Pixels of a PNG for each of a plot: small text needs them.
 const PNG_SCALE: u32 = 2;
@@ -64,37 +57,11 @@ struct Figure {
     chart: Chart,
 }
 
-#[derive(Debug)]
-enum Chart {
-    Lines(lines::LineChart),
-    Bars(bars::BarChart),
-    Scatter(scatter::ScatterChart),
-}
-
-impl Chart {
-    fn size_px(&self) -> (u32, u32) {
-        let legend_px = match self {
-            Self::Lines(chart) => chart.legend().height_px(),
-            Self::Bars(chart) => chart.legend().height_px(),
-            Self::Scatter(_) => return scatter::SIZE_PX,
-        };
-        (SIZE_PX.0, SIZE_PX.1.max(legend_px.unsigned_abs()))
-    }
-
-    fn paint(&self, canvas: &Canvas<'_, '_>) -> Result<()> {
-        match self {
-            Self::Lines(chart) => chart.paint(canvas),
-            Self::Bars(chart) => chart.paint(canvas),
-            Self::Scatter(chart) => chart.paint(canvas),
-        }
-    }
-}
-
 /// Every plot that the run has data for.
 pub(crate) fn draw(run: &Run) -> Result<Vec<Plot>> {
-    let mut figures = shadow_time_by_triangles::figures(run);
-    figures.extend(shadow_time_by_scene::figure(run));
-    figures.extend(flight::figures(run));
+    let mut figures = shadow_time::by_triangles(run);
+    figures.extend(shadow_time::by_scene(run));
+    figures.extend(shadow_time::along_flights(run));
     figures.into_iter().map(Plot::new).collect()
 }
 
@@ -151,12 +118,11 @@ impl Plot {
         painted.with_context(|| format!("cannot draw the plot {name}"))?;
         area.present()?;
         drop(area);
-        let is_pareto = matches!(chart, Chart::Scatter(_));
         Ok(Self {
+            is_pareto: name.starts_with(pareto::PREFIX),
             name,
             title,
             svg,
-            is_pareto,
         })
     }
 

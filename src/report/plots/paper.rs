@@ -3,15 +3,14 @@
 //! A line's colour says what is compared, its marker which device; lines of the paper are dashed and
 //! thin, its bars hollow.
 
+use super::Figure;
 use super::axis::Axis;
-use super::bars::{Bar, BarChart, Group};
-use super::canvas::{self, INK};
-use super::legend::Key;
-use super::lines::{Line, LineChart};
-use super::{Chart, Figure};
+use super::bars::Group;
+use super::canvas::{INK, Style};
+use super::chart::{Chart, Line};
 use crate::report::curve::Contender;
 use crate::report::paper::Paper;
-use crate::report::paper::sheet::{Column, Sheet};
+use crate::report::paper::sheet::{Column, Point, Sheet};
 
 /// Dashes of the first published device and of the others.
 const DASHES_PX: [i32; 2] = [7, 3];
@@ -31,9 +30,9 @@ fn names(sheet: &Sheet) -> impl Iterator<Item = &str> {
 fn figure(sheet: &Sheet) -> Figure {
     // A legend of lines shows its dashes; one of bars has nothing hollow to show.
     let (chart, key) = if sheet.spec.series_are_rows {
-        (Chart::Bars(bars(sheet)), "; hollow: published")
+        (bars(sheet), "; hollow: published")
     } else {
-        (Chart::Lines(lines(sheet)), "")
+        (lines(sheet), "")
     };
     let (number, what) = (sheet.spec.figure, &sheet.spec.title);
     Figure {
@@ -43,51 +42,30 @@ fn figure(sheet: &Sheet) -> Figure {
     }
 }
 
-fn lines(sheet: &Sheet) -> LineChart {
+fn lines(sheet: &Sheet) -> Chart {
     let mut lines = Vec::new();
     for (device, column) in sheet.columns.iter().enumerate() {
-        for (series, name) in names(sheet).enumerate() {
-            let points: Vec<(f64, f64)> = sheet
-                .points
-                .iter()
-                .enumerate()
-                .filter_map(|(at, point)| {
-                    Some((point.number? as f64, column.value(series, at)?.value))
-                })
-                .collect();
+        for series in 0..names(sheet).count() {
+            let point = |(at, point): (usize, &Point)| {
+                Some((point.number? as f64, column.value(series, at)?.value))
+            };
+            let points: Vec<_> = sheet.points.iter().enumerate().filter_map(point).collect();
+            let color = Style::of(series).color;
+            let style = Style {
+                color,
+                ..device_style(device, column)
+            };
             if !points.is_empty() {
-                lines.push(Line {
-                    key: Key {
-                        color: canvas::color(series),
-                        ..device_key(device, column)
-                    },
-                    contender: Contender::new(name, &column.device),
-                    points,
-                });
+                lines.push(Line { style, points });
             }
         }
     }
     // Measured lines lie over the published ones.
-    lines.sort_by_key(|line| line.key.dash_px.is_none());
-    let points = || lines.iter().flat_map(|line| line.points.iter().copied());
-    let x: Vec<f64> = points().map(|point| point.0).collect();
-    let y: Vec<f64> = points().map(|point| point.1).collect();
-    LineChart {
-        x: Axis::fit(&sheet.spec.points, x.into_iter()),
-        y: Axis::fit(sheet.paper.quantity.title(), y.into_iter()),
-        keys: keys(sheet),
-        lines,
-    }
-}
-
-/// The colours, then the markers.
-fn keys(sheet: &Sheet) -> Vec<(Key, Contender)> {
+    lines.sort_by_key(|line| line.style.dash_px == 0);
+    // The colours, then the markers.
     let series = names(sheet).enumerate().map(|(index, name)| {
-        let key = Key {
-            marker: None,
-            ..Key::of(index)
-        };
-        (key, Contender::new(name, ""))
+        let style = Style::line(Style::of(index).color, 2);
+        (style, Contender::new(name, ""))
     });
     let devices = sheet.columns.iter().enumerate().map(|(index, column)| {
         let who = if column.is_published() {
@@ -95,58 +73,44 @@ fn keys(sheet: &Sheet) -> Vec<(Key, Contender)> {
         } else {
             "measured"
         };
-        (
-            device_key(index, column),
-            Contender::new(&column.device, who),
-        )
+        let name = Contender::new(&column.device, who);
+        (device_style(index, column), name)
     });
-    series.chain(devices).collect()
+    let legend = series.chain(devices).collect();
+    let y = (sheet.paper.quantity.title(), Axis::fit as _);
+    Chart::of_lines((&sheet.spec.points, Axis::fit), y, lines, legend)
 }
 
-fn device_key(index: usize, column: &Column) -> Key {
-    let dash_px = DASHES_PX[index.min(DASHES_PX.len() - 1)];
-    Key {
-        color: INK,
+fn device_style(index: usize, column: &Column) -> Style {
+    let style = Style {
         marker: Some(index),
-        dash_px: column.is_published().then_some(dash_px),
+        ..Style::line(INK, 2)
+    };
+    if column.is_published() {
+        style.dashed(DASHES_PX[index.min(DASHES_PX.len() - 1)])
+    } else {
+        style
     }
 }
 
 /// The bars of each device, scene by scene.
-fn bars(sheet: &Sheet) -> BarChart {
-    let (mut groups, mut bands) = (Vec::new(), Vec::new());
+fn bars(sheet: &Sheet) -> Chart {
+    let mut groups = Vec::new();
     for (at, point) in sheet.points.iter().enumerate() {
-        let devices = sheet.columns.iter().map(|column| group(column, at));
-        let measured = devices.filter(|group| group.bars.iter().any(Option::is_some));
-        let before = groups.len();
-        groups.extend(measured);
-        bands.push((point.name.clone(), groups.len() - before));
+        groups.extend(sheet.columns.iter().map(|column| {
+            let value = |series| column.value(series, at).map(|cell| cell.value);
+            let bars = (0..column.values.len()).map(value);
+            Group {
+                name: column.device.clone(),
+                band: point.name.clone(),
+                is_hollow: column.is_published(),
+                bars: bars.map(|value| value.zip(value)).collect(),
+            }
+        }));
     }
-    let all = groups.iter().flat_map(|group| group.bars.iter().flatten());
-    let fps: Vec<f64> = all.map(|bar| bar.value).collect();
-    let names = names(sheet);
-    BarChart {
-        y: Axis::fit(sheet.paper.quantity.title(), fps.into_iter()),
-        keys: names
-            .enumerate()
-            .map(|(index, name)| (Key::of(index), Contender::new(name, "")))
-            .collect(),
-        groups,
-        bands,
-    }
-}
-
-fn group(column: &Column, point: usize) -> Group {
-    let bar = |series| {
-        let cell = column.value(series, point)?;
-        Some(Bar {
-            value: cell.value,
-            whisker: None,
-        })
-    };
-    Group {
-        name: column.device.clone(),
-        hollow: column.is_published(),
-        bars: (0..column.values.len()).map(bar).collect(),
-    }
+    groups.retain(|group| group.bars.iter().any(Option::is_some));
+    let entry = |(index, name)| (Style::of(index), Contender::new(name, ""));
+    let legend = names(sheet).enumerate().map(entry).collect();
+    let y = (sheet.paper.quantity.title(), Axis::fit as _);
+    Chart::of_bars(y, groups, legend)
 }
