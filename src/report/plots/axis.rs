@@ -100,9 +100,10 @@ impl Axis {
         }
     }
 
-    /// Where the axis breaks off before zero, as a fraction of it, if it does.
-    pub(super) fn break_at(&self) -> Option<f64> {
-        self.has_zero_band.then_some(ZERO_BAND * 0.92)
+    /// Where the axis, drawn between these pixels, breaks off before zero, if it does.
+    pub(super) fn break_px(&self, from: i32, to: i32) -> Option<i32> {
+        let at = from + (f64::from(to - from) * ZERO_BAND * 0.92).round() as i32;
+        self.has_zero_band.then_some(at)
     }
 
     /// Where `value` lies between the axis's ends, 0 to 1. Zero has no place on a logarithmic axis
@@ -222,7 +223,7 @@ mod tests {
         assert!(axis.fraction(0.5) >= ZERO_BAND && axis.fraction(1000.0) < 1.0);
         assert_eq!(labels(&axis)[0], "0");
         let axis = Axis::log("", &[0.5, 1000.0]);
-        assert_eq!(axis.break_at(), None);
+        assert_eq!(axis.break_px(0, 100), None);
         assert_ne!(labels(&axis)[0], "0");
     }
 

@@ -4,12 +4,14 @@ use anyhow::Result;
 use plotters::style::text_anchor::HPos;
 
 use super::axis::Axis;
-use super::canvas::{Canvas, INK, MUTED, PAPER, Px, Rect, Style, shortened, text_width_px};
+use super::canvas::{
+    Canvas, INK, MUTED, PAPER, Px, Rect, Style, font, shortened, text_width_px, upright,
+};
 use super::chart::{AxisOf, Chart, Frame};
 use crate::report::curve::Contender;
 
 const NAME_PX: i32 = 13;
-const LINE_PX: i32 = 17;
+const LINE_PX: usize = 17;
 /// Group names that cannot be broken to fit are turned upright and get at most this much room.
 const UPRIGHT_PX: i32 = 220;
 const MAX_BAR_PX: i32 = 56;
@@ -63,7 +65,7 @@ impl Group {
                 self.paint_bar(canvas, frame, *bar, (left, pitch), *style)?;
             } else if pitch >= 12 && !self.is_hollow {
                 let at = (left + pitch / 2, frame.area.bottom - 6);
-                canvas.text_upwards("not measured", at, 12, MUTED, HPos::Left)?;
+                canvas.text("not measured", at, &upright(12, MUTED, HPos::Left))?;
             }
             left += pitch;
         }
@@ -100,7 +102,7 @@ impl Group {
         }
         let value = three_digits(value);
         if text_width_px(&value, 12) <= pitch + 6 {
-            canvas.text(&value, (middle, end - 9), 12, INK, HPos::Center)?;
+            canvas.text(&value, (middle, end - 9), &font(12, INK, HPos::Center))?;
         }
         Ok(())
     }
@@ -137,41 +139,37 @@ impl<'a> GroupNames<'a> {
     }
 
     pub(super) fn height_px(&self) -> i32 {
-        let upright = || {
-            let names = self.groups.iter();
-            let longest = names.map(|group| text_width_px(&group.name, NAME_PX)).max();
-            longest.unwrap_or_default().min(UPRIGHT_PX) + 12
-        };
-        self.broken.as_ref().map_or_else(upright, |names| {
+        if let Some(names) = &self.broken {
             let lines = names.iter().map(Vec::len).max().unwrap_or_default();
-            26 + LINE_PX * lines as i32
-        })
+            return (26 + LINE_PX * lines) as i32;
+        }
+        let names = self.groups.iter();
+        let longest = names.map(|group| text_width_px(&group.name, NAME_PX)).max();
+        longest.unwrap_or_default().min(UPRIGHT_PX) + 12
     }
 
     /// Names the groups below the frame and the bands above it, with a line between bands.
     pub(super) fn paint(&self, canvas: &Canvas<'_, '_>, frame: &Frame) -> Result<()> {
         let Rect { top, bottom, .. } = frame.area;
+        let name_font = font(NAME_PX, INK, HPos::Center);
         for (index, group) in self.groups.iter().enumerate() {
             let (left, right) = span(frame, index, 1);
-            let middle = (left + right) / 2;
-            let Some(names) = &self.broken else {
+            let at = |below_px| ((left + right) / 2, bottom + below_px);
+            if let Some(names) = &self.broken {
+                for (line, below_px) in names[index].iter().zip((16..).step_by(LINE_PX)) {
+                    canvas.text(line, at(below_px), &name_font)?;
+                }
+            } else {
                 let chars = UPRIGHT_PX / text_width_px("n", NAME_PX);
                 let name = shortened(&group.name, chars as usize);
-                canvas.text_upwards(&name, (middle, bottom + 8), NAME_PX, INK, HPos::Right)?;
-                continue;
-            };
-            for (line, y) in names[index]
-                .iter()
-                .zip((bottom + 16..).step_by(LINE_PX as usize))
-            {
-                canvas.text(line, (middle, y), NAME_PX, INK, HPos::Center)?;
+                canvas.text(&name, at(8), &upright(NAME_PX, INK, HPos::Right))?;
             }
         }
         let mut first = 0;
         for band in self.groups.chunk_by(|a, b| a.band == b.band) {
             let (left, right) = span(frame, first, band.len());
             let middle = ((left + right) / 2, top - 10);
-            canvas.text(&band[0].band, middle, NAME_PX, INK, HPos::Center)?;
+            canvas.text(&band[0].band, middle, &name_font)?;
             if first > 0 {
                 canvas.line(&[(left, top - 16), (left, bottom)], Style::line(MUTED, 1))?;
             }

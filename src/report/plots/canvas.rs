@@ -98,44 +98,11 @@ impl Style {
 pub(super) struct Canvas<'a, 'b>(pub(super) &'a DrawingArea<SVGBackend<'b>, Shift>);
 
 impl Canvas<'_, '_> {
-    /// Width and height in pixels.
-    pub(super) fn size(&self) -> Px {
-        let (width, height) = self.0.dim_in_pixel();
-        (width as i32, height as i32)
-    }
-
-    /// The plot's title, top left.
-    pub(super) fn title(&self, text: &str) -> Result<()> {
-        let chars = self.size().0 / 10;
-        let title = shortened(text, chars as usize);
-        self.text(&title, (16, 24), 18, INK, HPos::Left)
-    }
-
-    /// Text that is centred vertically on its place.
-    pub(super) fn text(
-        &self,
-        text: &str,
-        at: Px,
-        size: i32,
-        color: RGBColor,
-        pos: HPos,
-    ) -> Result<()> {
-        let style = font(size, color).pos(Pos::new(pos, VPos::Center));
-        Ok(self.0.draw_text(text, &style, at)?)
-    }
-
-    /// Text read from bottom to top.
-    pub(super) fn text_upwards(
-        &self,
-        text: &str,
-        at: Px,
-        size: i32,
-        color: RGBColor,
-        pos: HPos,
-    ) -> Result<()> {
-        let style = font(size, color).transform(FontTransform::Rotate270);
-        let style = style.pos(Pos::new(pos, VPos::Center));
-        Ok(self.0.draw_text(text, &style, at)?)
+    pub(super) fn text(&self, text: &str, at: Px, style: &TextStyle<'_>) -> Result<()> {
+        if !text.is_empty() {
+            self.0.draw_text(text, style, at)?;
+        }
+        Ok(())
     }
 
     pub(super) fn line(&self, points: &[Px], style: Style) -> Result<()> {
@@ -147,19 +114,17 @@ impl Canvas<'_, '_> {
         } else if style.width_px > 0 {
             self.0.draw(&PathElement::new(path, stroke))?;
         }
-        let (Some(first), Some(last), true) = (points.first(), points.last(), style.cap_px > 0)
-        else {
-            return Ok(());
-        };
-        let is_upright = first.0 == last.0;
-        let (dx, dy) = if is_upright {
-            (style.cap_px, 0)
-        } else {
-            (0, style.cap_px)
-        };
-        for (x, y) in [first, last] {
-            let cap = vec![(x - dx, y - dy), (x + dx, y + dy)];
-            self.0.draw(&PathElement::new(cap, stroke))?;
+        if let (Some(first), Some(last), 1..) = (points.first(), points.last(), style.cap_px) {
+            let is_upright = first.0 == last.0;
+            let (dx, dy) = if is_upright {
+                (style.cap_px, 0)
+            } else {
+                (0, style.cap_px)
+            };
+            for (x, y) in [first, last] {
+                let cap = vec![(x - dx, y - dy), (x + dx, y + dy)];
+                self.0.draw(&PathElement::new(cap, stroke))?;
+            }
         }
         Ok(())
     }
@@ -191,8 +156,15 @@ impl Canvas<'_, '_> {
     }
 }
 
-pub(super) fn font(size_px: i32, color: RGBColor) -> TextStyle<'static> {
-    (FONT, size_px).into_font().color(&color)
+/// Text that is centred vertically on its place.
+pub(super) fn font(size_px: i32, color: RGBColor, pos: HPos) -> TextStyle<'static> {
+    let style = (FONT, size_px).into_font().color(&color);
+    style.pos(Pos::new(pos, VPos::Center))
+}
+
+/// Text read from bottom to top.
+pub(super) fn upright(size_px: i32, color: RGBColor, pos: HPos) -> TextStyle<'static> {
+    font(size_px, color, pos).transform(FontTransform::Rotate270)
 }
 
 /// Width of text in pixels, a little too wide rather than too narrow: an SVG is set in the reader's

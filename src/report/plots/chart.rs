@@ -8,13 +8,15 @@ use plotters::style::text_anchor::HPos;
 
 use super::axis::Axis;
 use super::bars::{Group, GroupNames};
-use super::canvas::{Canvas, FADED, GRID, INK, MUTED, PAPER, Px, Rect, Style, font, text_width_px};
+use super::canvas::{
+    Canvas, FADED, GRID, INK, MUTED, PAPER, Px, Rect, Style, font, shortened, text_width_px,
+};
 use super::labels::{self, Anchor, Placed};
 use super::legend::Legend;
 use crate::report::curve::Contender;
 
 /// Size of a plot in pixels; those with long legends are higher.
-const SIZE_PX: (u32, u32) = (900, 560);
+const SIZE_PX: (u32, u32) = (930, 560);
 /// Dozens of names need room.
 const SIZE_WITH_NAMES_PX: (u32, u32) = (1400, 800);
 /// Room for tick labels and the title of the vertical axis.
@@ -91,19 +93,20 @@ impl Chart {
     }
 
     pub(super) fn size_px(&self) -> (u32, u32) {
-        let has_names = !self.dots.is_empty();
-        let (width, height) = if has_names {
-            SIZE_WITH_NAMES_PX
-        } else {
-            SIZE_PX
+        let (width, height) = match self.dots[..] {
+            [] => SIZE_PX,
+            _ => SIZE_WITH_NAMES_PX,
         };
         let legend_px = Legend(&self.legend).height_px().unsigned_abs();
         (width, height.max(legend_px))
     }
 
-    pub(super) fn paint(&self, canvas: &Canvas<'_, '_>) -> Result<()> {
+    pub(super) fn paint(&self, canvas: &Canvas<'_, '_>, title: &str) -> Result<()> {
         let legend = Legend(&self.legend);
-        let right = canvas.size().0 - legend.width_px();
+        let (width, _) = self.size_px();
+        let right = width as i32 - legend.width_px();
+        let title = shortened(title, (width / 10) as usize);
+        canvas.text(&title, (16, 24), &font(18, INK, HPos::Left))?;
         let names = GroupNames::of(&self.groups, right - LEFT_PX);
         let bottom_px = names.as_ref().map_or(BOTTOM_PX, GroupNames::height_px);
         let frame = &self.paint_axes(canvas, legend.width_px(), bottom_px)?;
@@ -138,8 +141,8 @@ impl Chart {
             .configure_mesh()
             .bold_line_style(GRID)
             .axis_style(MUTED.stroke_width(1))
-            .label_style(font(14, MUTED))
-            .axis_desc_style(font(15, INK))
+            .label_style(font(14, MUTED, HPos::Center))
+            .axis_desc_style(font(15, INK, HPos::Center))
             .set_all_tick_mark_size(4)
             .x_desc(&self.x.title)
             .y_desc(&self.y.title)
@@ -163,22 +166,19 @@ impl Chart {
             right,
             bottom,
         } = frame.area;
-        let mut breaks = Vec::new();
-        if let Some(part) = self.x.break_at() {
-            let x = left + (f64::from(right - left) * part).round() as i32;
-            breaks.push(vec![(x, top), (x, bottom)]);
-        }
-        if let Some(part) = self.y.break_at() {
-            let y = bottom - (f64::from(bottom - top) * part).round() as i32;
-            breaks.push(vec![(left, y), (right, y)]);
+        let x = self.x.break_px(left, right);
+        let y = self.y.break_px(bottom, top);
+        let style = Style::line(MUTED, 1);
+        if let Some(y) = y {
             canvas.rect([(left - 5, y - 3), (left + 5, y + 3)], PAPER)?;
-            for y in [y - 3, y + 3] {
-                let slash = [(left - 6, y + 3), (left + 6, y - 3)];
-                canvas.line(&slash, Style::line(MUTED, 1))?;
-            }
+            canvas.line(&[(left - 6, y), (left + 6, y - 6)], style)?;
+            canvas.line(&[(left - 6, y + 6), (left + 6, y)], style)?;
         }
+        let x = x.map(|x| vec![(x, top), (x, bottom)]);
+        let y = y.map(|y| vec![(left, y), (right, y)]);
+        let breaks: Vec<Vec<Px>> = x.into_iter().chain(y).collect();
         for line in &breaks {
-            canvas.line(line, Style::line(MUTED, 1).dashed(4))?;
+            canvas.line(line, style.dashed(4))?;
         }
         Ok(breaks)
     }
@@ -213,7 +213,7 @@ impl Chart {
             };
             let color = if dot.is_strong { INK } else { MUTED };
             let at = (x, (rect.top + rect.bottom) / 2);
-            canvas.text(&dot.name, at, NAME_PX, color, pos)?;
+            canvas.text(&dot.name, at, &font(NAME_PX, color, pos))?;
         }
         Ok(())
     }

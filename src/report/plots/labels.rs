@@ -25,26 +25,6 @@ const CROSSING: i32 = 8;
 const OVERRUN: i32 = 20;
 /// What it costs to need that line.
 const LEADER: i32 = 10;
-/// The sixteen directions, to the right first, where one looks for a name.
-const DIRECTIONS: [(f64, f64); 16] = [
-    (1.0, 0.0),
-    (-1.0, 0.0),
-    (0.0, -1.0),
-    (0.0, 1.0),
-    (1.0, -1.0),
-    (1.0, 1.0),
-    (-1.0, -1.0),
-    (-1.0, 1.0),
-    (0.5, -1.0),
-    (-0.5, -1.0),
-    (0.5, 1.0),
-    (-0.5, 1.0),
-    (1.0, -0.5),
-    (1.0, 0.5),
-    (-1.0, -0.5),
-    (-1.0, 0.5),
-];
-
 /// A point that wants its name placed.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Anchor {
@@ -95,13 +75,13 @@ pub(super) fn place(anchors: &[Anchor], bounds: Rect, lines: &[Vec<Px>]) -> Vec<
     let mut all = Vec::new();
     for anchor in anchors {
         // A name wider than the chart is placed all the same: left out, its point had no name.
-        let mut best = (i32::MAX, placed_at(*anchor, DIRECTIONS[0], 0));
+        let mut best = (i32::MAX, placed_at(*anchor, (1.0, 0.0), 0));
         // No place farther out is cheaper than its distance.
         for far_px in (0..RINGS).map(|ring| ring * RING_PX) {
             if far_px >= best.0 {
                 break;
             }
-            for direction in DIRECTIONS {
+            for direction in directions() {
                 let found = placed_at(*anchor, direction, far_px);
                 if bounds.contains(&found.rect) {
                     let cost = cost(&found, anchor.at, &obstacles);
@@ -120,6 +100,15 @@ pub(super) fn place(anchors: &[Anchor], bounds: Rect, lines: &[Vec<Px>]) -> Vec<
         all.push(placed);
     }
     all
+}
+
+/// The sixteen directions, to the right and the left first, where one looks for a name.
+fn directions() -> impl Iterator<Item = (f64, f64)> {
+    let downs = [0.0_f64, -1.0, 1.0, -0.5, 0.5];
+    let all = downs
+        .into_iter()
+        .flat_map(|y| [1.0_f64, -1.0, 0.0, 0.5, -0.5].map(|x| (x, y)));
+    all.filter(|(x, y)| x.abs().max(y.abs()) == 1.0)
 }
 
 fn placed_at(Anchor { at, size }: Anchor, (dx, dy): (f64, f64), far_px: i32) -> Placed {

@@ -3,7 +3,7 @@
 use anyhow::Result;
 use plotters::style::text_anchor::HPos;
 
-use super::canvas::{Canvas, INK, MUTED, Px, Style, shortened, text_width_px};
+use super::canvas::{Canvas, INK, MUTED, Px, Style, font, shortened, text_width_px};
 use crate::report::curve::Contender;
 
 const NAME_PX: i32 = 14;
@@ -11,7 +11,7 @@ const VARIANT_PX: i32 = 12;
 /// From the legend's left edge to its text: the sample of the line.
 const KEY_PX: i32 = 44;
 /// Longer names are cut.
-const MAX_TEXT_PX: i32 = 290;
+const MAX_TEXT_PX: i32 = 260;
 
 /// Its entries, from the top.
 pub(super) struct Legend<'a>(pub(super) &'a [(Style, Contender)]);
@@ -49,7 +49,7 @@ impl Legend<'_> {
             ] {
                 let chars = MAX_TEXT_PX / text_width_px("n", size_px);
                 let text = shortened(text, chars as usize);
-                canvas.text(&text, (text_x, y), size_px, color, HPos::Left)?;
+                canvas.text(&text, (text_x, y), &font(size_px, color, HPos::Left))?;
             }
         }
         Ok(())

@@ -91,16 +91,14 @@ pub(super) fn write(dir: &Path, plots: &[Plot]) -> Result<()> {
     let unreadable = || format!("cannot read {}", dir.display());
     for entry in dir.read_dir().with_context(unreadable)? {
         let path = entry.with_context(unreadable)?.path();
-        let is_plot = path
-            .extension()
-            .is_some_and(|end| end == "svg" || end == "png");
+        let end = path.extension().unwrap_or_default();
         let name = path.file_stem().unwrap_or_default().to_string_lossy();
         // Plots of accuracy depend on the scenes, so that only the folder knows what an earlier report wrote.
-        let is_ours = SCENE_PLOT_PREFIXES
-            .iter()
-            .any(|prefix| name.starts_with(prefix))
+        let mut prefixes = SCENE_PLOT_PREFIXES.iter();
+        let is_ours = prefixes.any(|prefix| name.starts_with(prefix))
             || figures.iter().any(|figure| **figure == *name);
-        if is_plot && is_ours && plots.iter().all(|plot| *plot.name != *name) {
+        let is_new = plots.iter().any(|plot| *plot.name == *name);
+        if is_ours && !is_new && (end == "svg" || end == "png") {
             remove_stale(&path)?;
         }
     }
@@ -113,8 +111,7 @@ impl Plot {
         let mut svg = String::new();
         let area = SVGBackend::with_string(&mut svg, chart.size_px()).into_drawing_area();
         area.fill(&canvas::PAPER)?;
-        let canvas = Canvas(&area);
-        let painted = canvas.title(&title).and_then(|()| chart.paint(&canvas));
+        let painted = chart.paint(&Canvas(&area), &title);
         painted.with_context(|| format!("cannot draw the plot {name}"))?;
         area.present()?;
         drop(area);
@@ -136,10 +133,8 @@ impl Plot {
         let scale = Transform::from_scale(PNG_SCALE as f32, PNG_SCALE as f32);
         resvg::render(&tree, scale, &mut pixels.as_mut());
         // Plots are opaque, so that there is no alpha to undo.
-        let rgb = pixels
-            .pixels()
-            .iter()
-            .flat_map(|c| [c.red(), c.green(), c.blue()]);
+        let pixels = pixels.pixels().iter();
+        let rgb = pixels.flat_map(|c| [c.red(), c.green(), c.blue()]);
         Image::rgb((width, height), &rgb.collect::<Vec<u8>>()).write_png(path)
     }
 }
@@ -152,8 +147,8 @@ fn png_options() -> &'static Options<'static> {
         fonts.load_font_data(epaint_default_fonts::UBUNTU_LIGHT.to_vec());
         let family = fonts
             .faces()
-            .find_map(|face| Some(face.families.first()?.0.clone()));
-        fonts.set_sans_serif_family(family.unwrap_or_default());
+            .find_map(|face| face.families.first().cloned());
+        fonts.set_sans_serif_family(family.map_or_else(String::new, |(name, _)| name));
         options
     });
     &OPTIONS

@@ -59,75 +59,68 @@ fn chart(cloud: &Cloud, curves: &Curves) -> Chart {
         )
     };
     let points = &cloud.points;
-    let times = |p: &Point| with_ends(p.shadow_ms, p.shadow_ms_range);
-    let pixels = |p: &Point| with_ends(p.wrong_px, p.wrong_px_range);
-    let x = Axis::log(x, &points.iter().flat_map(times).collect::<Vec<_>>());
-    let y = Axis::log(y, &points.iter().flat_map(pixels).collect::<Vec<_>>());
-
-    let mut lines: Vec<Line> = points.iter().flat_map(whiskers).collect();
-    let dominated = |point: &Point| point.dominated_by.is_some();
+    let has_interval = |p: &Point| p.shadow_ms_range.or(p.wrong_px_range).is_some();
     let samples = [
-        (true, Style::line(FRONT, 2), "Pareto front"),
-        (points.iter().any(dominated), FADED_DOT, "dominated"),
-        (!lines.is_empty(), INTERVAL, interval),
+        (true, Style::line(FRONT, 2), ["Pareto front", ""]),
+        (
+            points.iter().any(|p| p.dominated_by.is_some()),
+            FADED_DOT,
+            ["dominated", ""],
+        ),
+        (
+            points.iter().any(has_interval),
+            INTERVAL,
+            ["interval", interval],
+        ),
     ];
     let samples = samples.into_iter().filter(|(is_there, ..)| *is_there);
-    let mut legend: Vec<(Style, Contender)> = samples
-        .map(|(_, style, name)| (style, Contender::new(name, "")))
-        .collect();
+    let legend = samples.map(|(_, style, [name, what])| (style, Contender::new(name, what)));
+    let whiskers = points.iter().flat_map(whiskers).collect();
+    let (x, y) = ((x, Axis::log as _), (y, Axis::log as _));
+    let mut chart = Chart::of_lines(x, y, whiskers, legend.collect());
     for (index, curve) in curves.all.iter().enumerate() {
         let on_curve = on_curve(points, curve);
         if !on_curve.is_empty() {
-            let style = Style {
-                width_px: 1,
-                ..Style::of(index)
-            };
-            legend.push((style, curve.legend()));
-            let points = on_curve.into_iter().map(|(_, point)| place(point));
-            lines.push(Line {
-                style: Style::line(style.color, 1),
-                points: points.collect(),
+            let style = Style::of(index);
+            let width_px = 1;
+            chart
+                .legend
+                .push((Style { width_px, ..style }, curve.legend()));
+            chart.lines.push(Line {
+                style: Style::line(style.color, width_px),
+                points: on_curve
+                    .into_iter()
+                    .map(|(_, point)| place(point))
+                    .collect(),
             });
         }
     }
     let front = cloud.front().into_iter().map(|index| place(&points[index]));
-    lines.push(Line {
+    chart.lines.push(Line {
         style: Style::line(FRONT, 2),
-        points: steps(front, x.high, y.high),
+        points: steps(front, chart.x.high, chart.y.high),
     });
-    let mut dots: Vec<Dot> = points.iter().map(|point| dot(point, curves)).collect();
-    dots.sort_by_key(|dot| !dot.is_strong);
-    Chart {
-        x,
-        y,
-        lines,
-        dots,
-        legend,
-        ..Chart::default()
-    }
+    chart.dots = points.iter().map(|point| dot(point, curves)).collect();
+    chart.dots.sort_by_key(|dot| !dot.is_strong);
+    chart
 }
 
 fn place(point: &Point) -> (f64, f64) {
     (point.shadow_ms, point.wrong_px)
 }
 
-fn with_ends(value: f64, range: Option<(f64, f64)>) -> [f64; 3] {
-    let (low, high) = range.unwrap_or((value, value));
-    [low, value, high]
-}
-
-/// A point's intervals as lines.
-fn whiskers(point: &Point) -> impl Iterator<Item = Line> {
+/// A point's intervals as lines through it; where there is none, its marker hides the line.
+fn whiskers(point: &Point) -> [Line; 2] {
     let (x, y) = place(point);
-    let across = point
-        .shadow_ms_range
-        .map(|(low, high)| [(low, y), (high, y)]);
-    let along = point
-        .wrong_px_range
-        .map(|(low, high)| [(x, low), (x, high)]);
-    [across, along].into_iter().flatten().map(|ends| Line {
+    let ends = |value, range: Option<(f64, f64)>| {
+        let (low, high) = range.unwrap_or((value, value));
+        [low, value, high]
+    };
+    let across = ends(x, point.shadow_ms_range).map(|x| (x, y));
+    let along = ends(y, point.wrong_px_range).map(|y| (x, y));
+    [across, along].map(|points| Line {
         style: INTERVAL,
-        points: ends.to_vec(),
+        points: points.to_vec(),
     })
 }
 
