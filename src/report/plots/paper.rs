@@ -116,7 +116,7 @@ fn device_key(index: usize, column: &Column) -> Key {
 fn bars(sheet: &Sheet) -> BarChart {
     let (mut groups, mut bands) = (Vec::new(), Vec::new());
     for (at, point) in sheet.points.iter().enumerate() {
-        let devices = sheet.columns.iter().map(|column| group(column, at));
+        let devices = sheet.columns.iter().map(|column| group(sheet, column, at));
         let measured = devices.filter(|group| group.bars.iter().any(Option::is_some));
         let before = groups.len();
         groups.extend(measured);
@@ -136,7 +136,7 @@ fn bars(sheet: &Sheet) -> BarChart {
     }
 }
 
-fn group(column: &Column, point: usize) -> Group {
+fn group(sheet: &Sheet, column: &Column, point: usize) -> Group {
     let bar = |series| {
         let cell = column.value(series, point)?;
         Some(Bar {
@@ -147,6 +147,6 @@ fn group(column: &Column, point: usize) -> Group {
     Group {
         name: column.device.clone(),
         hollow: column.is_published(),
-        bars: (0..column.values.len()).map(bar).collect(),
+        bars: (0..sheet.spec.series.len()).map(bar).collect(),
     }
 }
