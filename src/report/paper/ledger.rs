@@ -4,16 +4,13 @@ use anyhow::{Context as _, Result};
 use serde::Serialize;
 
 use super::claims::Claim;
-use super::evidence::Evidence;
-use super::finding::{Finding, Verdict};
+use super::evidence::{Evidence, Finding, Verdict};
 use super::published::Publication;
 use super::sheet::{Sheet, Source};
 use crate::report::groups::Group;
 use crate::report::table::{Cell, Column, Table, escape};
 use crate::table::text;
 
-/// Whose numbers a row of the ledger is about, where they are the paper's.
-const OWN_TABLES: &str = "The paper's own tables";
 pub(crate) const SOFTWARE_NOTE: &str = "renders in software: its times say nothing about GPUs, and neither \
     do its verdicts.";
 
@@ -26,48 +23,52 @@ pub(crate) struct Ledger {
 
 #[derive(Debug)]
 pub(crate) struct Entry {
-    pub claim: Claim,
-    /// What its own tables give. Their verdict is left out: a verdict is about a repetition.
-    pub paper: Finding,
-    /// What each measured device gives.
-    pub devices: Vec<(String, Finding)>,
+    pub claim: &'static Claim,
+    /// What the paper's own tables give, then what each measured device gives.
+    pub findings: Vec<(Measurer, Finding)>,
 }
 
-#[derive(Debug, Serialize)]
-struct Row<'a> {
-    claim: &'a str,
-    text: &'a str,
-    claimed: &'a str,
+/// Whose numbers a finding is about.
+#[derive(Debug, Clone, Serialize)]
+pub(crate) struct Measurer {
     source: &'static str,
-    device: &'a str,
+    device: String,
     software: bool,
-    verdict: &'static str,
-    value: Option<f64>,
-    unit: &'static str,
-    found: &'a str,
-    pairs: usize,
-    pairs_of: usize,
-    wrong_masks: usize,
 }
 
 impl Ledger {
-    pub(super) fn new(paper: &Publication, sheets: &[Sheet], groups: &[Group<'_>]) -> Result<Self> {
-        let entry = |claim: &Claim| {
-            let find = |source| {
-                let found = claim.check.find(&Evidence { sheets, source });
-                found.with_context(|| format!("cannot check the claim {}", claim.id))
+    pub(super) fn new(
+        paper: &'static Publication,
+        sheets: &[Sheet],
+        groups: &[Group<'_>],
+    ) -> Result<Self> {
+        let own = Measurer {
+            source: "paper",
+            device: "The paper's own tables".to_owned(),
+            software: false,
+        };
+        let mut measurers = vec![(own, Source::Paper)];
+        measurers.extend(groups.iter().enumerate().map(|(index, group)| {
+            let measurer = Measurer {
+                source: "measured",
+                device: group.label.clone(),
+                software: group.software,
             };
-            let paper = find(Source::Paper)?;
-            let devices = groups
-                .iter()
-                .enumerate()
-                .map(|(index, group)| Ok((group.label.clone(), find(Source::Measured(index))?)))
-                .collect::<Result<_>>()?;
-            Ok(Entry {
-                paper,
-                devices,
-                claim: claim.clone(),
-            })
+            (measurer, Source::Measured(index))
+        }));
+        let entry = |claim: &'static Claim| {
+            let find = |(who, source): &(Measurer, Source)| {
+                let source = *source;
+                let mut found = claim.check.find(&Evidence { sheets, source })?;
+                if source == Source::Paper {
+                    found.verdict = Verdict::Own;
+                }
+                Ok((who.clone(), found))
+            };
+            let findings = measurers.iter().map(find).collect::<Result<_>>();
+            let findings =
+                findings.with_context(|| format!("cannot check the claim {}", claim.id))?;
+            Ok(Entry { claim, findings })
         };
         let software = groups.iter().filter(|group| group.software);
         Ok(Self {
@@ -78,45 +79,10 @@ impl Ledger {
 
     pub(crate) fn csv(&self) -> Result<String> {
         let mut rows = Vec::new();
-        for Entry {
-            claim,
-            paper,
-            devices,
-        } in &self.entries
-        {
-            rows.push(Row {
-                verdict: "",
-                ..self.row(claim, "paper", OWN_TABLES, paper)
-            });
-            for (device, finding) in devices {
-                rows.push(self.row(claim, "measured", device, finding));
-            }
+        for Entry { claim, findings } in &self.entries {
+            rows.extend(findings.iter().map(|(who, finding)| (*claim, who, finding)));
         }
         Ok(String::from_utf8(text(&rows)?)?)
-    }
-
-    fn row<'a>(
-        &self,
-        claim: &'a Claim,
-        source: &'static str,
-        device: &'a str,
-        finding: &'a Finding,
-    ) -> Row<'a> {
-        Row {
-            claim: &claim.id,
-            text: &claim.text,
-            claimed: &claim.claimed,
-            source,
-            device,
-            software: source == "measured" && self.software.iter().any(|name| name == device),
-            verdict: finding.verdict.word(),
-            value: finding.value,
-            unit: finding.unit,
-            found: &finding.text,
-            pairs: finding.pairs,
-            pairs_of: finding.pairs_of,
-            wrong_masks: finding.wrong_masks,
-        }
     }
 
     pub(crate) fn markdown(&self) -> String {
@@ -130,44 +96,36 @@ impl Ledger {
 
     /// The claims as groups of rows, a row a measurer.
     pub(crate) fn table(&self) -> Table {
-        let heads = [
-            ("Device", ""),
-            ("Verdict", ""),
-            ("Rests on", ""),
-            ("Found", "found"),
-        ];
-        let columns = heads.map(|(head, class)| Column::text(head).class(class));
+        let columns = ["Device", "Verdict", "Rests on"].map(Column::text);
+        let columns = columns
+            .into_iter()
+            .chain([Column::text("Found").class("found")]);
         let mut table = Table::new("The paper's claims", columns).class("ledger");
-        for entry in &self.entries {
-            let claim = &entry.claim;
+        for Entry { claim, findings } in &self.entries {
             let wide = maud::html! {
                 (claim.text) span.quiet { " Claimed: " (claim.claimed) ". " code { (claim.id) } }
             };
-            let claimed = format!("claimed: {}", claim.claimed);
-            let plain = [
-                Cell::strong(&claim.text),
-                "".into(),
-                "".into(),
-                claimed.into(),
-            ];
-            table.begin(Cell::drawn(wide), plain.to_vec());
-            let found = Cell::from(entry.paper.text.as_str());
-            let found = if claim.note.is_empty() {
-                found
-            } else {
-                found.small(&claim.note)
-            };
-            let rests_on = entry.paper.rests_on().into();
-            table.push([OWN_TABLES.into(), "".into(), rests_on, found]);
-            table = table.extend(entry.devices.iter().map(|(device, finding)| {
+            let claimed = format!("claimed: {}", claim.claimed).into();
+            let plain = vec![Cell::strong(&claim.text), "".into(), "".into(), claimed];
+            table.begin(Cell::drawn(wide), plain);
+            table = table.extend(findings.iter().map(|(who, finding)| {
                 let verdict = Cell::from(finding.verdict.word()).class(match finding.verdict {
                     Verdict::Reproduced => "verdict held",
                     Verdict::TrendOnly => "verdict trend",
                     Verdict::NotReproduced => "verdict broken",
                     Verdict::NotMeasured => "verdict quiet",
+                    Verdict::Own => "",
                 });
-                let (rests_on, found) = (finding.rests_on().into(), finding.text.as_str().into());
-                [device.as_str().into(), verdict, rests_on, found]
+                let mut found = Cell::from(finding.text.as_str());
+                if finding.verdict == Verdict::Own && !claim.note.is_empty() {
+                    found = found.small(&claim.note);
+                }
+                [
+                    who.device.as_str().into(),
+                    verdict,
+                    finding.rests_on().into(),
+                    found,
+                ]
             }));
         }
         table

@@ -2,100 +2,103 @@
 
 use std::cmp::Reverse;
 
-use super::published::Quantity;
-use super::series::Series;
-use super::sheet::{Column, Point, Sheet, Source};
-use super::value::{Mask, Value};
+use super::published::Series;
+use super::sheet::{Column, Mask, Point, Sheet, Source, Value};
 use crate::record::{Status, Summary};
 use crate::report::groups::Group;
-use crate::report::load::Run;
-use crate::variant::Variant;
+use crate::report::load::{Run, unique};
 
 /// Fills the groups' columns in, each after those of the paper. A group that has nothing of a table
 /// gets no column in it.
 pub(super) fn fill(sheets: &mut [Sheet], groups: &[Group<'_>]) {
     for sheet in sheets {
         for (index, group) in groups.iter().enumerate() {
-            let column = column(sheet, group, Source::Measured(index));
-            sheet.columns.extend(column);
+            let cells = of_group(sheet, group);
+            if !cells.is_empty() {
+                sheet.columns.push(Column {
+                    device: group.label.clone(),
+                    source: Source::Measured(index),
+                    cells,
+                });
+            }
         }
     }
 }
 
-/// The group's column from that one of its runs which has the most cells of the table, of equals the
+/// The values of that one of the group's runs which has the most cells of the table, of equals the
 /// one that started last, so that numbers that both have come from one run. Of the other runs, those
-/// that share no cell with it complete the column.
-fn column(sheet: &Sheet, group: &Group<'_>, source: Source) -> Option<Column> {
+/// complete them that share no cell, and no series in another variant.
+fn of_group(sheet: &Sheet, group: &Group<'_>) -> Vec<Value> {
     let started = |run: &Run| run.info.started.parse::<jiff::Timestamp>().ok();
-    let columns = group.runs.iter().map(|run| {
-        let mut column = Column::empty(&group.label, source, sheet.spec, 0);
-        column.runs.push(run.dir.display().to_string());
-        for (index, series) in sheet.paper.series_of(sheet.spec).enumerate() {
-            let (variant, values) = of_series(sheet.paper.quantity, series, &sheet.points, run);
-            column.variants[index] = variant;
-            column.values[index] = values;
+    let runs = group.runs.iter();
+    let mut runs: Vec<_> = runs.map(|run| (of_run(sheet, run), started(run))).collect();
+    runs.sort_by_key(|(values, started)| Reverse((values.len(), *started)));
+    let mut all: Vec<Value> = Vec::new();
+    for (values, _) in runs {
+        let clashes = |own: &Value, other: &Value| {
+            own.series == other.series && (own.point == other.point || own.variant != other.variant)
+        };
+        if !values
+            .iter()
+            .any(|other| all.iter().any(|own| clashes(own, other)))
+        {
+            all.extend(values);
         }
-        (column, started(run))
-    });
-    let mut columns: Vec<_> = columns
-        .filter(|(column, _)| column.all().count() > 0)
-        .collect();
-    columns.sort_by_key(|(column, started)| Reverse((column.all().count(), *started)));
-    let mut columns = columns.into_iter().map(|(column, _)| column);
-    let mut fullest = columns.next()?;
-    columns.for_each(|other| fullest.join(&other));
-    Some(fullest)
+    }
+    all
 }
 
-/// The values of the run's first variant that stands for the series and was measured at any point:
-/// variants are never mixed within a series.
-fn of_series(
-    quantity: Quantity,
-    series: &Series,
-    points: &[Point],
-    run: &Run,
-) -> (Variant, Vec<Option<Value>>) {
+/// The values of each series in the run's first variant that stands for it and was measured at any point: variants
+/// are never mixed within a series.
+fn of_run(sheet: &Sheet, run: &Run) -> Vec<Value> {
     let listed = run.info.methods.iter();
     let listed = listed.map(|method| (&method.id, &method.variant));
     let rows = run.summaries.iter().map(|row| (&row.method, &row.variant));
-    for whose in listed
-        .chain(rows)
-        .filter(|(method, variant)| series.is(method, variant))
-    {
-        let rows = run.summaries.iter();
-        let rows = rows
-            .filter(|row| (&row.method, &row.variant) == whose)
-            .filter(|row| (row.width, row.height) == (run.info.width, run.info.height));
-        let at = |point: &Point| {
-            let mut here = rows.clone().filter(|row| point.at.holds(row));
-            here.find_map(|row| value(quantity, row, run.info.frames))
-        };
-        let values: Vec<Option<Value>> = points.iter().map(at).collect();
-        if values.iter().any(Option::is_some) {
-            return (whose.1.clone(), values);
-        }
-    }
-    (Variant::default(), vec![None; points.len()])
+    let methods = unique(listed.chain(rows));
+    let of_series = |(index, series): (usize, &Series)| {
+        let mut variants = methods
+            .iter()
+            .filter(|(method, variant)| series.is(method, variant));
+        let found = variants.find_map(|whose| {
+            let own = |row: &&Summary| (&row.method, &row.variant) == *whose;
+            let rows: Vec<&Summary> = run.summaries.iter().filter(own).collect();
+            let at = |(point, at): (usize, &Point)| {
+                let mut here = rows.iter().filter(|row| at.at.holds(row));
+                let value = here.find_map(|row| value(sheet, row, run))?;
+                Some(Value {
+                    series: index,
+                    point,
+                    ..value
+                })
+            };
+            let values: Vec<Value> = sheet.points.iter().enumerate().filter_map(at).collect();
+            (!values.is_empty()).then_some(values)
+        });
+        found.unwrap_or_default()
+    };
+    let series = sheet.paper.series_of(sheet.spec).enumerate();
+    series.flat_map(of_series).collect()
 }
 
-/// The value of a row; `None` where it was not measured or broke.
-fn value(quantity: Quantity, row: &Summary, frames: u32) -> Option<Value> {
-    if !matches!(row.status, Status::Ok | Status::Unverified) {
-        return None;
-    }
-    let value = quantity
-        .of(row)
-        .filter(|value| value.is_finite() && *value > 0.0)?;
+/// The value of a row; `None` where it was not measured, broke, or is of another size than the run's.
+fn value(sheet: &Sheet, row: &Summary, run: &Run) -> Option<Value> {
+    let is_measured = matches!(row.status, Status::Ok | Status::Unverified);
+    let own_size = (row.width, row.height) == (run.info.width, run.info.height);
+    let value = sheet.paper.quantity.of(row)?;
     let mask = match row.artifact_px {
         Some(1..) => Mask::Wrong,
-        _ if row.frames < frames => Mask::CutShort,
+        _ if row.frames < run.info.frames => Mask::CutShort,
         Some(0) if row.status == Status::Ok => Mask::Right,
         _ => Mask::Unverified,
     };
-    Some(Value {
+    (is_measured && own_size && value.is_finite() && value > 0.0).then(|| Value {
+        value,
+        mask,
         // Runs from before these were recorded have nothing or zero here.
         record_ms: row.record_ms_median.filter(|record_ms| *record_ms > 0.0),
         draw_calls: row.draw_calls.filter(|draw_calls| *draw_calls > 0),
-        ..Value::new(value, mask)
+        variant: row.variant.clone(),
+        run: run.dir.display().to_string(),
+        ..Value::default()
     })
 }

@@ -1,8 +1,8 @@
 //! Runs held against the tables and claims of papers.
 //!
 //! [`published`] reads papers as data, `numbers` the numbers of their tables, `measured` finds a run's rows that belong
-//! beside them, and a [`Sheet`] holds both. [`claims`] are a paper's own sentences, `judge` holds them against the
-//! sheets, and the [`Ledger`] tells the verdicts.
+//! beside them, and a [`Sheet`] holds both. `claims` are a paper's own sentences, `judge` holds them against the
+//! `evidence` in the sheets, and the [`Ledger`] tells the verdicts.
 
 use std::path::Path;
 
@@ -12,20 +12,16 @@ use super::groups::Group;
 use crate::output::{self, remove_stale, write_atomically};
 use published::Publication;
 
-pub(crate) mod claims;
-pub(crate) mod finding;
 pub(crate) mod ledger;
 pub(crate) mod published;
-pub(crate) mod series;
 pub(crate) mod sheet;
-pub(crate) mod tables;
-pub(crate) mod value;
 
+mod claims;
 mod evidence;
 mod judge;
 mod measured;
 mod numbers;
-mod rules;
+mod tables;
 
 pub(crate) use ledger::Ledger;
 pub(crate) use sheet::Sheet;
@@ -67,14 +63,18 @@ impl Paper {
     /// The files of the tables and of the ledger: names and contents.
     fn files(&self) -> Result<Vec<(String, String)>> {
         let mut files = Vec::new();
+        let mut add = |name: String, csv: String, markdown: String| {
+            files.extend([
+                (format!("{name}.csv"), csv),
+                (format!("{name}.md"), markdown),
+            ]);
+        };
         for sheet in &self.sheets {
             let name = self.published.table_name(sheet.spec);
-            files.push((format!("{name}.csv"), sheet.csv()?));
-            files.push((format!("{name}.md"), sheet.markdown()));
+            add(name, sheet.csv()?, sheet.markdown());
         }
         let name = ledger_name(self.published);
-        files.push((format!("{name}.csv"), self.ledger.csv()?));
-        files.push((format!("{name}.md"), self.ledger.markdown()));
+        add(name, self.ledger.csv()?, self.ledger.markdown());
         Ok(files)
     }
 }
@@ -94,11 +94,8 @@ pub(super) fn figure_names() -> Result<Vec<String>> {
 /// earlier report wrote and this one does not.
 pub(super) fn write(dir: &Path, papers: &[Paper]) -> Result<()> {
     let dir = dir.join(PAPER_DIR);
-    let files = papers
-        .iter()
-        .map(Paper::files)
-        .collect::<Result<Vec<_>>>()?
-        .concat();
+    let files = papers.iter().map(Paper::files);
+    let files = files.collect::<Result<Vec<_>>>()?.concat();
     if !files.is_empty() {
         output::create_dir_all(&dir)?;
     }
@@ -107,11 +104,10 @@ pub(super) fn write(dir: &Path, papers: &[Paper]) -> Result<()> {
     }
     for paper in published::papers()? {
         let tables = paper.tables.iter().map(|spec| paper.table_name(spec));
-        for stem in tables.chain([ledger_name(paper)]) {
-            for name in ["csv", "md"].map(|extension| format!("{stem}.{extension}")) {
-                if files.iter().all(|(known, _)| *known != name) {
-                    remove_stale(&dir.join(name))?;
-                }
+        let stems = tables.chain([ledger_name(paper)]);
+        for name in stems.flat_map(|stem| [format!("{stem}.csv"), format!("{stem}.md")]) {
+            if files.iter().all(|(known, _)| *known != name) {
+                remove_stale(&dir.join(name))?;
             }
         }
     }

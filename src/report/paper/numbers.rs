@@ -2,16 +2,11 @@
 
 use std::collections::HashMap;
 
-use anyhow::{Context as _, Result};
+use anyhow::{Context as _, Result, bail};
 
-use super::published::{self, Publication, Spec};
-use super::series::At;
-use super::sheet::{Column, Point, Sheet, Source};
-use super::value::{Mask, Value};
+use super::published::{self, Place, Publication, Spec};
+use super::sheet::{Column, Point, Sheet, Source, Value};
 use crate::report::format::count;
-
-/// Columns of numbers, of which a point may be made without a place.
-const NUMBERS: [&str; 2] = ["triangles", "objects"];
 
 /// A row of a file of published numbers, by the names of its columns.
 type Record = HashMap<String, String>;
@@ -30,41 +25,46 @@ pub(super) fn sheets(paper: &'static Publication) -> Result<Vec<Sheet>> {
 }
 
 pub(super) fn sheet(paper: &'static Publication, spec: &'static Spec, text: &str) -> Result<Sheet> {
-    let mut reader = csv::Reader::from_reader(text.as_bytes());
-    let rows: Vec<Record> = reader.deserialize().collect::<Result<_, _>>()?;
-    let mut points: Vec<Point> = Vec::new();
-    for row in &rows {
-        let id = joined(row, &spec.point_columns)?;
-        if points.iter().all(|point| point.id != id) {
-            points.push(point(paper, spec, id)?);
-        }
-    }
-    let mut columns: Vec<Column> = Vec::new();
-    for row in &rows {
-        let device = row.get("device").unwrap_or(&paper.device);
-        let index = columns.iter().position(|known| known.device == *device);
-        let index = index.unwrap_or_else(|| {
-            columns.push(Column::empty(device, Source::Paper, spec, points.len()));
-            columns.len() - 1
-        });
-        let id = joined(row, &spec.series_columns)?;
-        let series = spec.series.iter().position(|known| *known == id);
-        let series = series.with_context(|| format!("unknown: {id}"))?;
-        let here = joined(row, &spec.point_columns)?;
-        let value = field(row, paper.quantity.column())?;
-        let value = value
-            .parse()
-            .with_context(|| format!("`{value}` is not a number"))?;
-        if let Some(at) = points.iter().position(|point| point.id == here) {
-            columns[index].values[series][at] = Some(Value::new(value, Mask::Published));
-        }
-    }
-    Ok(Sheet {
+    let mut sheet = Sheet {
         paper,
         spec,
-        points,
-        columns,
-    })
+        points: Vec::new(),
+        columns: Vec::new(),
+    };
+    for row in csv::Reader::from_reader(text.as_bytes()).deserialize() {
+        add(&mut sheet, &row?)?;
+    }
+    Ok(sheet)
+}
+
+fn add(sheet: &mut Sheet, row: &Record) -> Result<()> {
+    let (paper, spec) = (sheet.paper, sheet.spec);
+    let id = joined(row, &spec.point_columns)?;
+    let known = sheet.points.iter().position(|point| point.id == id);
+    if known.is_none() {
+        sheet.points.push(point(paper, spec, id)?);
+    }
+    let id = joined(row, &spec.series_columns)?;
+    let series = spec.series.iter().position(|known| *known == id);
+    let text = field(row, paper.quantity.column())?;
+    let value = Value {
+        series: series.with_context(|| format!("unknown: {id}"))?,
+        point: known.unwrap_or(sheet.points.len() - 1),
+        value: text
+            .parse()
+            .with_context(|| format!("`{text}` is not a number"))?,
+        ..Value::default()
+    };
+    let device = row.get("device").unwrap_or(&paper.device);
+    match sheet.columns.iter_mut().find(|c| c.device == *device) {
+        Some(column) => column.cells.push(value),
+        None => sheet.columns.push(Column {
+            device: device.clone(),
+            source: Source::Paper,
+            cells: vec![value],
+        }),
+    }
+    Ok(())
 }
 
 fn field<'a>(row: &'a Record, column: &str) -> Result<&'a str> {
@@ -78,37 +78,28 @@ fn joined(row: &Record, columns: &[String]) -> Result<String> {
 }
 
 fn point(paper: &Publication, spec: &Spec, id: String) -> Result<Point> {
-    if let Some(place) = paper.places.get(&id) {
-        let short = if place.short.is_empty() {
-            &place.name
-        } else {
-            &place.short
-        };
+    if let Some(Place { name, short, at }) = paper.places.get(&id) {
         return Ok(Point {
-            name: place.name.clone(),
+            name: name.clone(),
             short: short.clone(),
             number: None,
-            at: place.at.clone(),
+            at: at.clone(),
             id,
         });
     }
-    let is_number = matches!(spec.point_columns.as_slice(), [only] if NUMBERS.contains(&&**only));
-    let number = id.parse::<u64>().ok().filter(|_| is_number);
-    let number = number.with_context(|| format!("`{id}` is neither a number nor a known place"))?;
-    let at = if spec.point_columns[0] == NUMBERS[0] {
-        At {
-            triangles: Some(number),
-            ..spec.at.clone()
-        }
-    } else {
-        At {
-            objects: Some(number),
-            ..spec.at.clone()
-        }
+    let mut at = spec.at.clone();
+    let counted = match spec.point_columns.as_slice() {
+        [only] if only == "triangles" => Some(&mut at.triangles),
+        [only] if only == "objects" => Some(&mut at.objects),
+        _ => None,
     };
+    let (Ok(number), Some(counted)) = (id.parse(), counted) else {
+        bail!("`{id}` is neither a number nor a known place");
+    };
+    *counted = Some(number);
     Ok(Point {
         name: count(number),
-        short: count(number),
+        short: String::new(),
         number: Some(number),
         at,
         id,

@@ -11,8 +11,8 @@ use include_dir::{Dir, include_dir};
 use serde::Deserialize;
 
 use super::claims::Claim;
-use super::series::{At, Series};
 use crate::record::Summary;
+use crate::variant::Variant;
 
 static PAPERS: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/src/report/published");
 static NUMBERS: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/results/published");
@@ -88,6 +88,45 @@ pub(crate) struct Place {
     pub at: At,
 }
 
+/// Which cells of a run are measured where a paper measured.
+#[derive(Debug, Clone, Default, PartialEq, Eq, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub(crate) struct At {
+    /// The scene's name; any where empty.
+    pub scene: String,
+    /// How the scene's name begins.
+    pub scene_prefix: String,
+    pub triangles: Option<u64>,
+    /// How far from that number they may be.
+    pub tolerance: u64,
+    pub objects: Option<u64>,
+}
+
+/// What a paper compares.
+#[derive(Debug, PartialEq, Eq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Series {
+    pub name: String,
+    pub method: String,
+    /// What that method's variant must say, if anything.
+    pub needs: Option<Needed>,
+    #[serde(default = "yes")]
+    pub in_paper: bool,
+}
+
+#[derive(Debug, PartialEq, Eq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Needed {
+    pub name: String,
+    pub value: String,
+    /// The value of a variant that does not name the parameter.
+    pub default: String,
+}
+
+fn yes() -> bool {
+    true
+}
+
 /// The papers that come with the program.
 ///
 /// # Errors
@@ -114,14 +153,10 @@ pub(super) fn numbers(file: &str) -> Result<&'static str> {
 impl Publication {
     pub(super) fn parse(text: &str) -> Result<Self> {
         let paper: Self = toml::from_str(text)?;
-        for table in &paper.tables {
-            for id in &table.series {
-                let known = paper.series.contains_key(id);
-                anyhow::ensure!(
-                    known,
-                    "table {} names the series {id}, which is none",
-                    table.number
-                );
+        for Spec { number, series, .. } in &paper.tables {
+            let unknown = series.iter().find(|id| !paper.series.contains_key(*id));
+            if let Some(id) = unknown {
+                anyhow::bail!("table {number} names the series {id}, which is none");
             }
         }
         Ok(paper)
@@ -159,19 +194,12 @@ impl Quantity {
         }
     }
 
-    /// Which end is better.
-    pub(crate) fn best(self) -> &'static str {
-        match self {
-            Self::Fps => "highest",
-            Self::FrameMs | Self::ShadowMs => "lowest",
-        }
-    }
-
     /// A value as a speed: of two, the faster one has the higher speed.
     pub(crate) fn speed(self, value: f64) -> f64 {
-        match self {
-            Self::Fps => value,
-            Self::FrameMs | Self::ShadowMs => 1.0 / value,
+        if self == Self::Fps {
+            value
+        } else {
+            1.0 / value
         }
     }
 
@@ -182,5 +210,33 @@ impl Quantity {
             Self::FrameMs => row.frame_ms_median,
             Self::ShadowMs => row.shadow_ms_median,
         }
+    }
+}
+
+impl At {
+    pub(super) fn holds(&self, row: &Summary) -> bool {
+        let is_near = |wanted: u64| {
+            let away = row.triangles.map(|own| own.abs_diff(wanted));
+            away.is_some_and(|away| away <= self.tolerance)
+        };
+        (self.scene.is_empty() || row.scene == self.scene)
+            && row.scene.starts_with(&self.scene_prefix)
+            && self.triangles.is_none_or(is_near)
+            && (self.objects.is_none() || row.objects == self.objects)
+    }
+}
+
+impl Series {
+    /// Whether a method in this variant stands for the series.
+    pub(super) fn is(&self, method: &str, variant: &Variant) -> bool {
+        let has =
+            |wanted: &Needed| variant.get(&wanted.name).unwrap_or(&wanted.default) == wanted.value;
+        self.method == method && self.needs.as_ref().is_none_or(has)
+    }
+
+    /// What a variant says besides what makes it this series.
+    pub(super) fn besides(&self, variant: &Variant) -> Variant {
+        let needed = self.needs.as_ref();
+        needed.map_or_else(|| variant.clone(), |needed| variant.without(&needed.name))
     }
 }

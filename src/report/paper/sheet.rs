@@ -1,9 +1,10 @@
 //! A table of a paper, filled in: published devices and measured ones side by side.
 
-use super::published::{Publication, Spec};
-use super::series::At;
-use super::value::{Mask, Value};
-use crate::report::format::{count, ms};
+use serde::Serialize;
+
+use super::published::{At, Publication, Quantity, Spec};
+use crate::record::unique;
+use crate::report::format::{count, ms, paper_value};
 use crate::variant::Variant;
 
 #[derive(Debug, Clone)]
@@ -19,7 +20,7 @@ pub(crate) struct Sheet {
 pub(crate) struct Point {
     pub id: String,
     pub name: String,
-    /// Its name in a sentence.
+    /// Its name in a sentence; empty where that is the same.
     pub short: String,
     /// The place on a figure's axis, where it is a number.
     pub number: Option<u64>,
@@ -32,12 +33,8 @@ pub(crate) struct Column {
     /// The device, and what tells it from another group of the same device.
     pub device: String,
     pub source: Source,
-    /// By series, then by point; `None` where nothing was measured.
-    pub values: Vec<Vec<Option<Value>>>,
-    /// By series: the variant measured; empty where it is the default.
-    pub variants: Vec<Variant>,
-    /// The run directories that its values come from; none for the paper.
-    pub runs: Vec<String>,
+    /// What was measured.
+    pub cells: Vec<Value>,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -47,56 +44,97 @@ pub(crate) enum Source {
     Measured(usize),
 }
 
+/// A value, and what is known about the picture behind it.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub(crate) struct Value {
+    /// Places of its series and its point in the table.
+    pub series: usize,
+    pub point: usize,
+    /// In the paper's quantity.
+    pub value: f64,
+    pub mask: Mask,
+    /// Median time for recording a frame on the processor.
+    pub record_ms: Option<f64>,
+    pub draw_calls: Option<u32>,
+    /// The variant measured; one a series.
+    pub variant: Variant,
+    /// The run directory that it comes from; empty for the paper.
+    pub run: String,
+}
+
+/// What is known about the shadow mask behind a value.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub(crate) enum Mask {
+    /// The paper says nothing of it.
+    #[default]
+    #[serde(rename = "")]
+    Published,
+    /// It agrees with the reference but at most at the true shadow boundary.
+    Right,
+    Wrong,
+    Unverified,
+    /// The run was cut off in this cell: its value rests on part of the flight.
+    CutShort,
+}
+
+/// What is written behind a value of which that is known, and what it means.
+const MARKS: [(Mask, &str, &str); 3] = [
+    (
+        Mask::Wrong,
+        "†",
+        "the shadow mask was wrong farther than one pixel from the true shadow boundary",
+    ),
+    (
+        Mask::Unverified,
+        "‡",
+        "the shadow mask was not compared with the reference",
+    ),
+    (
+        Mask::CutShort,
+        "§",
+        "the run was cut off in this cell, the value rests on part of the flight",
+    ),
+];
+
+impl Point {
+    /// Its name in a sentence.
+    pub(super) fn said(&self) -> &str {
+        if self.short.is_empty() {
+            &self.name
+        } else {
+            &self.short
+        }
+    }
+}
+
+impl Value {
+    /// The value as a table has it, with its mark: the paper's own digit for digit.
+    pub(super) fn text(&self) -> String {
+        let text = match self.mask {
+            Mask::Published => self.value.to_string(),
+            _ => paper_value(self.value),
+        };
+        let mark = MARKS.iter().find(|(mask, ..)| *mask == self.mask);
+        text + mark.map_or("", |(_, mark, _)| mark)
+    }
+
+    /// Whether it may be called the best: being fast and wrong is no merit.
+    fn may_win(&self) -> bool {
+        matches!(self.mask, Mask::Published | Mask::Right)
+    }
+}
+
 impl Column {
-    /// A column in which nothing was measured yet.
-    pub(super) fn empty(device: &str, source: Source, spec: &Spec, points: usize) -> Self {
-        Self {
-            device: device.to_owned(),
-            source,
-            values: vec![vec![None; points]; spec.series.len()],
-            variants: vec![Variant::default(); spec.series.len()],
-            runs: Vec::new(),
-        }
-    }
-
     pub(crate) fn value(&self, series: usize, point: usize) -> Option<&Value> {
-        self.values.get(series)?.get(point)?.as_ref()
+        let mut values = self.cells.iter();
+        values.find(|value| (value.series, value.point) == (series, point))
     }
 
-    pub(crate) fn all(&self) -> impl Iterator<Item = &Value> {
-        self.values.iter().flatten().flatten()
-    }
-
-    /// Adds the values of another run of the same device, unless they cannot stand together, because both runs have a
-    /// cell, or have a series in different variants.
-    pub(super) fn join(&mut self, other: &Self) {
-        let clash = (0..self.values.len()).any(|series| {
-            let (own, others) = (&self.values[series], &other.values[series]);
-            let has = |values: &[Option<Value>]| values.iter().any(Option::is_some);
-            let both = own
-                .iter()
-                .zip(others)
-                .any(|(own, other)| own.is_some() && other.is_some());
-            let variants = self.variants[series] != other.variants[series];
-            both || (has(own) && has(others) && variants)
-        });
-        if clash {
-            return;
-        }
-        let shift = self.runs.len();
-        for (series, others) in other.values.iter().enumerate() {
-            for (own, other) in self.values[series].iter_mut().zip(others) {
-                let moved = other.map(|value| Value {
-                    run: value.run + shift,
-                    ..value
-                });
-                *own = own.or(moved);
-            }
-            if self.variants[series].is_empty() {
-                self.variants[series].clone_from(&other.variants[series]);
-            }
-        }
-        self.runs.extend_from_slice(&other.runs);
+    /// The variant in which a series was measured.
+    pub(super) fn variant(&self, series: usize) -> Option<&Variant> {
+        let value = self.cells.iter().find(|value| value.series == series);
+        value.map(|value| &value.variant)
     }
 
     pub(crate) fn is_published(&self) -> bool {
@@ -109,31 +147,28 @@ impl Sheet {
         format!("Table {}: {}", self.spec.number, self.spec.title)
     }
 
-    /// Whether this is the best value of the device at the point, among those whose mask is right. Equal values are
+    /// Whether this is the best value of the device at its point, among those whose mask is right. Equal values are
     /// all best; a value without a rival is not.
-    pub(super) fn is_best(&self, column: &Column, series: usize, point: usize) -> bool {
+    pub(super) fn is_best(&self, column: &Column, value: &Value) -> bool {
         let speed = |value: &Value| self.paper.quantity.speed(value.value);
-        let rivals = (0..column.values.len()).filter_map(|series| column.value(series, point));
-        let best = rivals.clone().filter(|value| value.mask.may_win());
-        let best = best.map(speed).max_by(f64::total_cmp);
-        let own = column
-            .value(series, point)
-            .filter(|value| value.mask.may_win());
-        rivals.count() > 1 && own.is_some_and(|value| Some(speed(value)) == best)
+        let here = || {
+            column
+                .cells
+                .iter()
+                .filter(|other| other.point == value.point)
+        };
+        let mut others = here().filter(|other| other.may_win());
+        here().count() > 1 && value.may_win() && others.all(|other| speed(other) <= speed(value))
     }
 
     /// What stands beside a value: in a table about draw calls, time of recording and draw calls.
     pub(super) fn beside(&self, value: &Value) -> Vec<String> {
-        if !self.spec.shows_recording {
-            return Vec::new();
-        }
-        let record_ms = value
-            .record_ms
-            .map(|record_ms| format!("{} ms", ms(record_ms)));
+        let record_ms = value.record_ms.map(|took| format!("{} ms", ms(took)));
         let draws = value
             .draw_calls
             .map(|draws| format!("{} draws", count(draws.into())));
-        record_ms.into_iter().chain(draws).collect()
+        let beside = record_ms.into_iter().chain(draws);
+        beside.filter(|_| self.spec.shows_recording).collect()
     }
 
     /// Whether anything was measured for it here.
@@ -149,17 +184,20 @@ impl Sheet {
             "in each row of a device"
         };
         let quantity = self.paper.quantity;
+        let best = if quantity == Quantity::Fps {
+            "highest"
+        } else {
+            "lowest"
+        };
         let mut notes = vec![format!(
-            "{}. Bold: the {} {within}, of those whose mask was right; the paper says nothing of its masks. –: \
+            "{}. Bold: the {best} {within}, of those whose mask was right; the paper says nothing of its masks. –: \
              not measured.",
             quantity.title(),
-            quantity.best()
         )];
-        let values = || self.columns.iter().flat_map(Column::all);
-        for mask in [Mask::Wrong, Mask::Unverified, Mask::CutShort] {
+        let values = || self.columns.iter().flat_map(|column| &column.cells);
+        for (mask, mark, meaning) in MARKS {
             if values().any(|value| value.mask == mask) {
-                let (mark, meaning) = mask.note();
-                notes.push(format!("{mark}: {meaning}."));
+                notes.push(format!("{mark}: {meaning}; never bold."));
             }
         }
         if values().any(|value| !self.beside(value).is_empty()) {
@@ -181,20 +219,17 @@ impl Sheet {
     }
 
     fn notes_of(&self, column: &Column) -> Vec<String> {
-        let mut notes = Vec::new();
         let device = &column.device;
-        if let runs @ 2.. = column.runs.len() {
-            notes.push(format!("{device}: from {runs} runs, which share no cell."));
-        }
-        let variants = self.paper.series_of(self.spec).zip(&column.variants);
-        let named = variants.filter_map(|(series, variant)| {
-            let besides = series.besides(variant);
+        let runs = unique(column.cells.iter().map(|value| &value.run)).len();
+        let several =
+            (runs > 1).then(|| format!("{device}: from {runs} runs, which share no cell."));
+        let series = self.paper.series_of(self.spec).enumerate();
+        let named = series.filter_map(|(index, series)| {
+            let besides = series.besides(column.variant(index)?);
             (!besides.is_empty()).then(|| format!("{} with {besides}", series.name))
         });
         let named: Vec<String> = named.collect();
-        if !named.is_empty() {
-            notes.push(format!("{device}: {}.", named.join("; ")));
-        }
-        notes
+        let named = (!named.is_empty()).then(|| format!("{device}: {}.", named.join("; ")));
+        several.into_iter().chain(named).collect()
     }
 }

@@ -1,30 +1,36 @@
 //! A paper's tables as CSV, a row a cell, and laid out as in the paper.
 
 use anyhow::Result;
+use csv::StringRecord;
+use serde::Serialize;
 
 use super::sheet::{Column, Sheet};
-use super::value::Value;
+use crate::record::unique;
 use crate::report::table::{self, Cell, Table, escape};
-use crate::table::text;
+use crate::table::{records, text_of_records};
 
 impl Sheet {
     /// The table as CSV: a row for each cell of each device, measured or not. The columns from `device` on are those of
     /// the published files.
     pub(crate) fn csv(&self) -> Result<String> {
-        let tables = self.paper.tables.iter();
-        let mut keys: Vec<&str> = Vec::new();
-        let series = tables.clone().flat_map(|table| &table.series_columns);
-        for key in series.chain(tables.flat_map(|table| &table.point_columns)) {
-            if !keys.contains(&&**key) {
-                keys.push(key);
-            }
-        }
-        let mut head = vec!["source", "device"];
-        head.extend(&keys);
-        head.push(self.paper.quantity.column());
-        head.extend(["best", "mask", "record_ms_median", "draw_calls"]);
-        head.extend(["svbench_method", "variant", "run"]);
-        let mut rows: Vec<Vec<String>> = vec![head.into_iter().map(str::to_owned).collect()];
+        let tables = &self.paper.tables;
+        let series = tables.iter().flat_map(|table| &table.series_columns);
+        let points = tables.iter().flat_map(|table| &table.point_columns);
+        let keys: Vec<&String> = unique(series.chain(points));
+        let mut head = StringRecord::from(vec!["source", "device"]);
+        keys.iter().for_each(|key| head.push_field(key));
+        head.push_field(self.paper.quantity.column());
+        let more = [
+            "best",
+            "mask",
+            "record_ms_median",
+            "draw_calls",
+            "svbench_method",
+            "variant",
+            "run",
+        ];
+        head.extend(more);
+        let mut rows = Vec::new();
         for column in &self.columns {
             for point in 0..self.points.len() {
                 for (series, what) in self.paper.series_of(self.spec).enumerate() {
@@ -35,36 +41,39 @@ impl Sheet {
                 }
             }
         }
-        Ok(String::from_utf8(text(&rows)?)?)
+        let mut all = vec![head];
+        all.extend(records(&rows)?);
+        Ok(String::from_utf8(text_of_records(&all)?)?)
     }
 
-    fn csv_row(&self, keys: &[&str], column: &Column, series: usize, point: usize) -> Vec<String> {
+    fn csv_row<'a>(
+        &'a self,
+        keys: &[&String],
+        column: &'a Column,
+        series: usize,
+        point: usize,
+    ) -> impl Serialize + use<'a> {
         let value = column.value(series, point);
-        let of = |of: &dyn Fn(&Value) -> Option<String>| value.and_then(of).unwrap_or_default();
-        let what = &self.paper.series[&self.spec.series[series]];
-        let is_measured = !column.is_published();
-        let source = if is_measured { "measured" } else { "paper" };
-        let method = if is_measured {
-            what.method.as_str()
+        let method = &*self.paper.series[&self.spec.series[series]].method;
+        let (source, method) = if column.is_published() {
+            ("paper", "")
         } else {
-            ""
+            ("measured", method)
         };
-        let mut row = vec![source.to_owned(), column.device.clone()];
-        row.extend(
-            keys.iter()
-                .map(|key| self.key(key, series, point).to_owned()),
-        );
-        row.extend([
-            of(&|value| Some(format!("{:?}", value.value))),
-            self.is_best(column, series, point).to_string(),
-            of(&|value| Some(value.mask.word().to_owned())),
-            of(&|value| value.record_ms.map(|record_ms| format!("{record_ms:?}"))),
-            of(&|value| value.draw_calls.map(|draws| draws.to_string())),
-            method.to_owned(),
-            column.variants[series].to_string(),
-            of(&|value| column.runs.get(value.run).cloned()),
-        ]);
-        row
+        let keys = keys.iter().map(|key| self.key(key, series, point));
+        (
+            source,
+            &column.device,
+            keys.collect::<Vec<_>>(),
+            value.map(|value| value.value),
+            value.is_some_and(|value| self.is_best(column, value)),
+            value.map(|value| value.mask),
+            value.and_then(|value| value.record_ms),
+            value.and_then(|value| value.draw_calls),
+            method,
+            column.variant(series),
+            value.map(|value| &value.run),
+        )
     }
 
     /// What the published file has in a column for a series and a point.
@@ -104,32 +113,25 @@ impl Sheet {
         };
         let mut columns = vec![table::Column::heads(corner, "text")];
         for column in &self.columns {
-            let by = if column.is_published() {
-                "published"
+            let [first, class, by] = if column.is_published() {
+                ["first", "", "published"]
             } else {
-                "measured"
+                ["first measured", "measured", "measured"]
             };
-            let over = Cell::from(column.device.as_str())
-                .small(by)
-                .class(class(column, false));
+            let over = Cell::from(column.device.as_str()).small(by).class(class);
             for (index, name) in across.iter().enumerate() {
-                let head = Cell::from(name.as_str()).class(class(column, index == 0));
+                let class = if index == 0 { first } else { class };
+                let head = table::Column::number(Cell::from(name.as_str()).class(class));
                 let plain = format!("{}: {name}", column.device);
-                let of = table::Column::number(head).over(over.clone()).plain(plain);
-                columns.push(of.class(class(column, index == 0)));
+                columns.push(head.over(over.clone()).plain(plain).class(class));
             }
         }
         let rows = down.into_iter().enumerate().map(|(down, name)| {
-            let mut cells = vec![Cell::from(name)];
+            let mut cells = vec![name.into()];
             for column in &self.columns {
-                cells.extend((0..across.len()).map(|across| {
-                    let is_row = spec.series_are_rows;
-                    let (series, point) = if is_row {
-                        (down, across)
-                    } else {
-                        (across, down)
-                    };
-                    self.cell(column, series, point)
+                cells.extend((0..across.len()).map(|across| match spec.series_are_rows {
+                    true => self.cell(column, down, across),
+                    false => self.cell(column, across, down),
                 }));
             }
             cells
@@ -143,20 +145,11 @@ impl Sheet {
         let Some(value) = column.value(series, point) else {
             return table::DASH.into();
         };
-        let cell = if self.is_best(column, series, point) {
+        let cell = if self.is_best(column, value) {
             Cell::strong(value.text())
         } else {
             value.text().into()
         };
         self.beside(value).into_iter().fold(cell, Cell::small)
-    }
-}
-
-fn class(column: &Column, is_first: bool) -> &'static str {
-    match (column.is_published(), is_first) {
-        (true, true) => "first",
-        (true, false) => "",
-        (false, true) => "first measured",
-        (false, false) => "measured",
     }
 }

@@ -99,7 +99,7 @@ fn bars(sheet: &Sheet) -> Chart {
     for (at, point) in sheet.points.iter().enumerate() {
         groups.extend(sheet.columns.iter().map(|column| {
             let value = |series| column.value(series, at).map(|cell| cell.value);
-            let bars = (0..column.values.len()).map(value);
+            let bars = (0..sheet.spec.series.len()).map(value);
             Group {
                 name: column.device.clone(),
                 band: point.name.clone(),

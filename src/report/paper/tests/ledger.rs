@@ -4,20 +4,19 @@ use super::{compare, milet, milet_sheets, rows_like};
 use crate::record::Summary;
 use crate::report::fixture::paper_run;
 use crate::report::paper::Paper;
-use crate::report::paper::claims::Check;
-use crate::report::paper::evidence::Evidence;
-use crate::report::paper::finding::{Finding, Verdict};
+use crate::report::paper::claims::{Check, SpeedUp};
+use crate::report::paper::evidence::{Evidence, Finding, Verdict};
 use crate::report::paper::sheet::{Point, Source};
 
 fn finding<'a>(paper: &'a Paper, claim: &str) -> &'a Finding {
     let entry = paper.ledger.entries.iter().find(|e| e.claim.id == claim);
-    &entry.unwrap().devices[0].1
+    &entry.unwrap().findings[1].1
 }
 
 fn verdicts(rows: &[Summary]) -> Vec<Verdict> {
     let paper = compare(&[paper_run("run", "A GPU", rows)]);
     let entries = paper.ledger.entries.iter();
-    entries.map(|entry| entry.devices[0].1.verdict).collect()
+    entries.map(|entry| entry.findings[1].1.verdict).collect()
 }
 
 #[test]
@@ -71,11 +70,11 @@ fn every_claim_has_a_name_of_its_own_and_percentages_are_those_of_its_text() {
     ids.dedup();
     assert_eq!(ids.len(), 7);
     for claim in claims {
-        if let Check::SpeedUp {
+        if let Check::SpeedUp(SpeedUp {
             mean_percent,
             max_percent,
             ..
-        } = claim.check
+        }) = claim.check
         {
             let said = format!("{mean_percent} % on average, up to {max_percent} %");
             assert_eq!(claim.claimed, said);

@@ -1,10 +1,9 @@
 //! The tables' cells.
 
 use super::{compare, milet, milet_sheets, place, rows_like};
-use crate::record::{Cell, Summary};
+use crate::record::{Cell, Summary, unique};
 use crate::report::fixture::{paper_row, paper_run};
-use crate::report::paper::sheet::{Point, Sheet};
-use crate::report::paper::value::Mask;
+use crate::report::paper::sheet::{Mask, Point, Sheet};
 
 /// A point of table 1.
 fn triangles(number: u64) -> Point {
@@ -21,7 +20,7 @@ fn the_published_tables_have_all_their_cells() {
         let counts: Vec<usize> = sheet
             .columns
             .iter()
-            .map(|column| column.all().count())
+            .map(|column| column.cells.len())
             .collect();
         (sheet.points.len(), sheet.spec.series.len(), counts)
     };
@@ -121,7 +120,7 @@ fn a_series_has_one_variant_the_first_of_the_run_that_was_measured() {
     ];
     let paper = compare(&[paper_run("run", "A GPU", &rows)]);
     let column = paper.sheets[0].columns.last().unwrap();
-    assert_eq!(column.variants[1].as_str(), "input=storage");
+    assert_eq!(column.variant(1).unwrap().as_str(), "input=storage");
     assert_eq!(column.value(1, 0).unwrap().value.round(), 2.0);
     assert_eq!(column.value(1, 1), None);
     let notes = paper.sheets[0].notes().join("\n");
@@ -192,7 +191,7 @@ fn the_numbers_of_a_table_come_from_the_fullest_run_and_of_equals_from_the_lates
     let paper = compare(&[part, late, early]);
     for sheet in &paper.sheets {
         assert_eq!(sheet.columns.len(), 3);
-        assert_eq!(sheet.columns[2].runs, ["late"]);
+        assert!(sheet.columns[2].cells.iter().all(|cell| cell.run == "late"));
     }
 }
 
@@ -207,7 +206,7 @@ fn runs_that_share_no_cell_of_a_table_complete_each_other() {
     let sponza = paper_run("sponza", "A GPU", &scene("sponza"));
     let paper = compare(&[sponza.clone(), spheres.clone()]);
     let column = paper.sheets[0].columns.last().unwrap();
-    assert_eq!((column.all().count(), column.runs.len()), (9, 2));
+    assert_eq!(column.cells.len(), 9);
     let csv = paper.sheets[0].csv().unwrap();
     assert_eq!(csv.matches(",spheres\n").count(), 5, "{csv}");
     assert_eq!(csv.matches(",sponza\n").count(), 4, "{csv}");
@@ -220,7 +219,8 @@ fn runs_that_share_no_cell_of_a_table_complete_each_other() {
     }
     let paper = compare(&[other, spheres]);
     let column = paper.sheets[0].columns.last().unwrap();
-    assert_eq!(column.runs, ["spheres"], "a series has one variant");
+    let runs = column.cells.iter().map(|cell| cell.run.as_str());
+    assert_eq!(unique(runs), ["spheres"], "a series has one variant");
 }
 
 #[test]
@@ -229,7 +229,7 @@ fn a_published_value_is_never_doubted() {
     let cells = sheets.iter().flat_map(|sheet| &sheet.columns);
     assert!(
         cells
-            .flat_map(|column| column.all())
+            .flat_map(|column| &column.cells)
             .all(|cell| cell.mask == Mask::Published)
     );
     let line = sheets[1].markdown();
