@@ -3,7 +3,11 @@
 
 use std::ops::Range;
 
+use plotters::coord::CoordTranslate as _;
 use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, ValueFormatter};
+use plotters::prelude::Cartesian2d;
+
+use super::canvas::{Px, Rect};
 
 /// How much of a logarithmic axis, from its lower end, is kept for zero where there is any.
 const ZERO_BAND: f64 = 0.12;
@@ -147,6 +151,18 @@ impl Ranged for Axis {
 impl ValueFormatter<f64> for Axis {
     fn format_ext(&self, value: &f64) -> String {
         label(*value)
+    }
+}
+
+/// The rectangle that data is drawn in.
+pub(super) struct Frame {
+    pub(super) area: Rect,
+    pub(super) axes: Cartesian2d<Axis, Axis>,
+}
+
+impl Frame {
+    pub(super) fn place(&self, at: (f64, f64)) -> Px {
+        self.axes.translate(&at)
     }
 }
 

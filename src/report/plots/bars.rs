@@ -3,11 +3,10 @@
 use anyhow::Result;
 use plotters::style::text_anchor::HPos;
 
-use super::axis::Axis;
+use super::axis::Frame;
 use super::canvas::{
     Canvas, INK, MUTED, PAPER, Px, Rect, Style, font, shortened, text_width_px, upright,
 };
-use super::chart::{AxisOf, Chart, Frame};
 use crate::report::curve::Contender;
 
 const NAME_PX: i32 = 13;
@@ -26,25 +25,6 @@ pub(super) struct Group {
     pub(super) is_hollow: bool,
     /// Value and end of the whisker, for each entry of the legend; `None` where nothing was measured.
     pub(super) bars: Vec<Option<(f64, f64)>>,
-}
-
-impl Chart {
-    /// A chart of bars.
-    pub(super) fn of_bars(
-        (title, axis): AxisOf<'_>,
-        groups: Vec<Group>,
-        legend: Vec<(Style, Contender)>,
-    ) -> Self {
-        let bars = groups.iter().flat_map(|group| group.bars.iter().flatten());
-        let values: Vec<f64> = bars.flat_map(|(value, end)| [*value, *end]).collect();
-        Self {
-            x: Axis::of_groups(groups.len()),
-            y: axis(title, &values),
-            groups,
-            legend,
-            ..Self::default()
-        }
-    }
 }
 
 impl Group {

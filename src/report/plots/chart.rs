@@ -2,11 +2,10 @@
 //! legend.
 
 use anyhow::Result;
-use plotters::coord::CoordTranslate as _;
-use plotters::prelude::{Cartesian2d, ChartBuilder, Color as _};
+use plotters::prelude::{ChartBuilder, Color as _};
 use plotters::style::text_anchor::HPos;
 
-use super::axis::Axis;
+use super::axis::{Axis, Frame};
 use super::bars::{Group, GroupNames};
 use super::canvas::{
     Canvas, FADED, GRID, INK, MUTED, PAPER, Px, Rect, Style, font, shortened, text_width_px,
@@ -61,18 +60,6 @@ pub(super) struct Dot {
 /// The title of an axis, and what makes the axis over its values.
 pub(super) type AxisOf<'a> = (&'a str, fn(&str, &[f64]) -> Axis);
 
-/// The rectangle that data is drawn in.
-pub(super) struct Frame {
-    pub(super) area: Rect,
-    axes: Cartesian2d<Axis, Axis>,
-}
-
-impl Frame {
-    pub(super) fn place(&self, at: (f64, f64)) -> Px {
-        self.axes.translate(&at)
-    }
-}
-
 impl Chart {
     /// A chart of lines.
     pub(super) fn of_lines(
@@ -87,6 +74,23 @@ impl Chart {
             x: x(x_title, &xs),
             y: y(y_title, &ys),
             lines,
+            legend,
+            ..Self::default()
+        }
+    }
+
+    /// A chart of bars.
+    pub(super) fn of_bars(
+        (title, axis): AxisOf<'_>,
+        groups: Vec<Group>,
+        legend: Vec<(Style, Contender)>,
+    ) -> Self {
+        let bars = groups.iter().flat_map(|group| group.bars.iter().flatten());
+        let values: Vec<f64> = bars.flat_map(|(value, end)| [*value, *end]).collect();
+        Self {
+            x: Axis::of_groups(groups.len()),
+            y: axis(title, &values),
+            groups,
             legend,
             ..Self::default()
         }
