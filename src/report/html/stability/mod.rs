@@ -5,7 +5,7 @@ use maud::{Markup, PreEscaped, html};
 
 use super::provenance::Origin;
 use super::shell::{self, Section, banner, device_facts, facts_list, program};
-use crate::record::stress::StressMethod;
+use crate::record::stress::{Outcome, StressMethod};
 use crate::report::LegendEntry;
 use crate::report::format::{date, number_of, short};
 use crate::report::stability::{Line, Matrix, StressRun};
@@ -60,7 +60,7 @@ fn facts(run: &StressRun) -> Markup {
 
 /// What a reader must know before the matrix, the gravest first.
 fn banners(run: &StressRun, matrix: &Matrix<'_>) -> Markup {
-    let undeclared = run.counts().undeclared;
+    let undeclared = run.count(Outcome::Undeclared);
     let mut banners = Vec::new();
     if !run.info.complete {
         let lead = "This run is still going, or was interrupted.";
