@@ -4,7 +4,7 @@ use std::path::Path;
 
 use anyhow::{Result, bail};
 
-use super::load::Run;
+use super::load::{Run, unique};
 use crate::record::RunInfo;
 
 /// Runs of one device with equal settings: one group of columns in a table.
@@ -17,45 +17,26 @@ pub(crate) struct Group<'a> {
     pub runs: Vec<&'a Run>,
 }
 
-/// A setting in which runs must agree for their times to be compared.
-#[derive(Debug, Clone, PartialEq, Eq)]
-struct Setting {
-    /// Its name in `run.json`.
-    name: &'static str,
-    value: String,
-    /// The value as a group's label says it.
-    label: String,
-}
-
-fn settings(info: &RunInfo) -> [Setting; 5] {
-    let RunInfo {
-        width,
-        height,
-        frames,
-        program_version,
-        ..
-    } = info;
-    let scale = if info.scale.is_empty() {
-        "full"
-    } else {
-        &info.scale
+/// The settings in which runs must agree for their times to be compared: each with its name in `run.json`, its
+/// value, and the value as a group's label says it.
+fn settings(info: &RunInfo) -> [(&'static str, String, String); 5] {
+    let px = |side: u32| format!("{side} px");
+    let (frames, version) = (info.frames, &info.program_version);
+    let scale = match info.scale.as_str() {
+        "" => "full",
+        scale => scale,
     };
     [
-        ("width", format!("{width} px"), format!("{width} px wide")),
-        (
-            "height",
-            format!("{height} px"),
-            format!("{height} px high"),
-        ),
+        ("width", px(info.width), px(info.width) + " wide"),
+        ("height", px(info.height), px(info.height) + " high"),
         ("frames", frames.to_string(), format!("{frames} frames")),
         (
             "program_version",
-            program_version.clone(),
-            format!("svbench {program_version}"),
+            version.clone(),
+            format!("svbench {version}"),
         ),
         ("scale", scale.to_owned(), format!("scale {scale}")),
     ]
-    .map(|(name, value, label)| Setting { name, value, label })
 }
 
 /// The runs by device, in the order in which the devices appear.
@@ -67,85 +48,51 @@ pub(crate) fn group(runs: &[Run], force: bool) -> Result<Vec<Group<'_>>> {
     let Some(first) = runs.first() else {
         return Ok(Vec::new());
     };
-    let wanted = settings(&first.info);
-    let differs = |index: usize| {
-        let values = runs.iter().map(|run| settings(&run.info)[index].clone());
-        values.into_iter().any(|value| value != wanted[index])
-    };
-    let differing: Vec<usize> = (0..wanted.len()).filter(|index| differs(*index)).collect();
     if !force {
         runs.iter()
             .try_for_each(|run| check_comparable(first, run))?;
     }
-
-    let mut groups: Vec<(Key<'_>, Group<'_>)> = Vec::new();
-    for run in runs {
-        let key = Key::of(run, &differing);
-        match groups.iter_mut().find(|(known, _)| *known == key) {
-            Some((_, group)) => group.runs.push(run),
-            None => groups.push((
-                key,
-                Group {
-                    label: String::new(),
-                    software: run.info.device.is_software(),
-                    runs: vec![run],
-                },
-            )),
+    let wanted = settings(&first.info);
+    let differs = |index: &usize| {
+        runs.iter()
+            .any(|run| settings(&run.info)[*index] != wanted[*index])
+    };
+    let differing: Vec<usize> = (0..wanted.len()).filter(differs).collect();
+    // What the runs of a group have in common: the device, its driver, and the settings in which the runs differ.
+    let key = |run: &'_ Run| {
+        let labels = settings(&run.info).map(|(_, _, label)| label);
+        let labels = differing.iter().map(|index| labels[*index].clone());
+        let device = run.info.device.clone();
+        (device.name, device.driver_info, labels.collect::<Vec<_>>())
+    };
+    let keys = unique(runs.iter().map(key));
+    let group = |own: &(String, String, Vec<String>)| {
+        let (device, driver, labels) = own;
+        let is_twin = |(other, other_driver, _): &_| other == device && other_driver != driver;
+        let driver = keys.iter().any(is_twin).then_some(driver);
+        let details: Vec<&str> = driver
+            .into_iter()
+            .chain(labels)
+            .map(String::as_str)
+            .collect();
+        let runs: Vec<&Run> = runs.iter().filter(|run| key(run) == *own).collect();
+        Group {
+            label: match details.as_slice() {
+                [] => device.clone(),
+                details => format!("{device} ({})", details.join(", ")),
+            },
+            software: runs.iter().any(|run| run.info.device.is_software()),
+            runs,
         }
-    }
-    let labels: Vec<String> = groups
-        .iter()
-        .map(|(key, _)| {
-            let twin = |(other, _): &&(Key<'_>, Group<'_>)| {
-                other.device == key.device && other.driver_info != key.driver_info
-            };
-            key.label(groups.iter().any(|entry| twin(&entry)))
-        })
-        .collect();
-    let labelled = groups.into_iter().zip(labels);
-    Ok(labelled
-        .map(|((_, group), label)| Group { label, ..group })
-        .collect())
-}
-
-/// What the runs of a group have in common.
-#[derive(Debug, PartialEq, Eq)]
-struct Key<'a> {
-    device: &'a str,
-    driver_info: &'a str,
-    /// The settings in which the runs given differ.
-    differing: Vec<Setting>,
-}
-
-impl<'a> Key<'a> {
-    fn of(run: &'a Run, differing: &[usize]) -> Self {
-        let all = settings(&run.info);
-        Self {
-            device: &run.info.device.name,
-            driver_info: &run.info.device.driver_info,
-            differing: differing.iter().map(|index| all[*index].clone()).collect(),
-        }
-    }
-
-    fn label(&self, with_driver: bool) -> String {
-        let driver = with_driver.then(|| self.driver_info.to_owned());
-        let differing = self.differing.iter().map(|setting| setting.label.clone());
-        let details: Vec<String> = driver.into_iter().chain(differing).collect();
-        if details.is_empty() {
-            self.device.to_owned()
-        } else {
-            format!("{} ({})", self.device, details.join(", "))
-        }
-    }
+    };
+    Ok(keys.iter().map(group).collect())
 }
 
 fn check_comparable(first: &Run, other: &Run) -> Result<()> {
-    let (ours, theirs) = (settings(&first.info), settings(&other.info));
-    let differing: Vec<String> = ours
-        .iter()
-        .zip(&theirs)
-        .filter(|(ours, theirs)| ours != theirs)
-        .map(|(ours, theirs)| format!("{}: {} and {}", ours.name, ours.value, theirs.value))
+    let both = settings(&first.info).into_iter().zip(settings(&other.info));
+    let differing = both.filter(|(ours, theirs)| ours != theirs);
+    let differing: Vec<String> = differing
+        .map(|((name, ours, _), (_, theirs, _))| format!("{name}: {ours} and {theirs}"))
         .collect();
     if differing.is_empty() {
         return Ok(());

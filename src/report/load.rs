@@ -3,71 +3,53 @@
 use super::curve::Contender;
 pub(crate) use crate::record::Run;
 pub(super) use crate::record::unique;
-use crate::record::{MethodRecord, Status, Summary, SweepRecord};
+use crate::record::{MethodRecord, SceneRecord, Status, Summary, SweepRecord};
 
 impl Run {
+    pub(super) fn scene(&self, name: &str) -> Option<&SceneRecord> {
+        self.info.scenes.iter().find(|scene| scene.name == name)
+    }
+
     /// The scene's name for people; its plain name where the run has no other.
     pub(crate) fn scene_title<'a>(&'a self, name: &'a str) -> &'a str {
-        let record = self.info.scenes.iter().find(|scene| scene.name == name);
-        record
-            .map(|scene| scene.title.as_str())
-            .filter(|title| !title.is_empty())
-            .unwrap_or(name)
+        match self.scene(name) {
+            Some(SceneRecord { title, .. }) if !title.is_empty() => title,
+            _ => name,
+        }
     }
 
     /// The method's name for people; its id where the run has no other.
     pub(crate) fn method_title<'a>(&'a self, contender: &'a Contender) -> &'a str {
-        let record = self
-            .info
-            .methods
-            .iter()
-            .find(|method| method.id == contender.method);
-        let title = record
-            .map(|method| method.title.as_str())
-            .filter(|title| !title.is_empty());
-        title.unwrap_or(&contender.method)
+        let mut methods = self.info.methods.iter();
+        match methods.find(|method| method.id == contender.method) {
+            Some(MethodRecord { title, .. }) if !title.is_empty() => title,
+            _ => &contender.method,
+        }
     }
 
     /// Whom the run compares: in the run's order, then any that only the rows know.
     ///
     /// The place of its [`Curve`](super::curve::Curve) among all curves decides its colour in every plot.
     pub(crate) fn contenders(&self) -> Vec<Contender> {
-        let listed = self.info.methods.iter().map(|method| Contender {
-            method: method.id.clone(),
-            variant: method.variant.to_string(),
-        });
+        let methods = self.info.methods.iter();
+        let listed = methods.map(|method| Contender::new(&method.id, method.variant.as_str()));
         unique(listed.chain(self.summaries.iter().map(|row| self.contender(row))))
     }
 
     pub(crate) fn contender(&self, row: &Summary) -> Contender {
-        let Summary {
-            method,
-            variant,
-            width,
-            height,
-            ..
-        } = row;
-        let own_size = (self.info.width, self.info.height) == (*width, *height);
-        let size = if own_size {
-            String::new()
-        } else {
-            format!(" {width}×{height}")
+        let (width, height) = (row.width, row.height);
+        let size = match (self.info.width, self.info.height) == (width, height) {
+            true => String::new(),
+            false => format!(" {width}×{height}"),
         };
-        Contender {
-            method: method.clone(),
-            variant: format!("{variant}{size}").trim().to_owned(),
-        }
+        Contender::new(&row.method, format!("{}{size}", row.variant).trim())
     }
 
     pub(crate) fn sweep_of(&self, contender: &Contender) -> Option<&SweepRecord> {
-        let named = |record: &&MethodRecord| {
-            record.id == contender.method && record.variant.as_str() == contender.variant
-        };
-        self.info
-            .methods
-            .iter()
-            .filter(named)
-            .find_map(|record| record.sweep.as_ref())
+        let Contender { method, variant } = contender;
+        let methods = self.info.methods.iter();
+        let mut named = methods.filter(|own| own.id == *method && own.variant.as_str() == variant);
+        named.find_map(|record| record.sweep.as_ref())
     }
 
     /// The rows of a scene, in the order of [`Self::contenders`].
@@ -85,35 +67,23 @@ impl Run {
     pub(crate) fn absence(&self, scene: &str) -> Option<(Status, &str)> {
         let mut rows = self.summaries.iter().filter(|row| row.scene == scene);
         let Some(first) = rows.next() else {
-            let record = self
-                .info
-                .scenes
-                .iter()
-                .find(|record| record.name == scene)?;
-            return Some((record.status, record.reason.as_str()));
+            let record = self.scene(scene)?;
+            return Some((record.status, &record.reason));
         };
         let is_alike = |row: &Summary| (row.status, &row.reason) == (first.status, &first.reason);
         (first.is_absent() && rows.all(|row| row.is_absent() && is_alike(row)))
-            .then_some((first.status, first.reason.as_str()))
+            .then_some((first.status, &*first.reason))
     }
 
-    /// The shortest median shadow time among a scene's rows of this row's size that have no
-    /// artifacts: being fast and wrong is no merit.
-    pub(crate) fn best_shadow_ms(&self, row: &Summary) -> Option<f64> {
-        self.summaries
-            .iter()
-            .filter(|other| other.scene == row.scene && other.status == Status::Ok)
-            .filter(|other| (other.width, other.height) == (row.width, row.height))
-            .filter(|other| other.artifact_px == Some(0))
-            .filter_map(|other| other.shadow_ms_median)
-            .min_by(f64::total_cmp)
-    }
-
-    /// Whether this row is right and has the scene's best shadow time.
+    /// Whether this row has no artifacts, and the shortest median shadow time among its scene's rows of its size
+    /// that have none: being fast and wrong is no merit.
     pub(crate) fn is_best(&self, row: &Summary) -> bool {
-        row.status == Status::Ok
-            && row.artifact_px == Some(0)
-            && row.shadow_ms_median.is_some()
-            && row.shadow_ms_median == self.best_shadow_ms(row)
+        let is_right = |row: &Summary| row.status == Status::Ok && row.artifact_px == Some(0);
+        let place = |row: &Summary| (row.scene.clone(), row.width, row.height);
+        let rows = self.summaries.iter();
+        let rivals = rows.filter(|other| is_right(other) && place(other) == place(row));
+        let times = rivals.filter_map(|other| other.shadow_ms_median);
+        let best = times.min_by(f64::total_cmp);
+        is_right(row) && best.is_some() && row.shadow_ms_median == best
     }
 }

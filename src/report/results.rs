@@ -51,25 +51,26 @@ pub(super) fn table(run: &Run) -> Table {
 
 /// The head of a scene's rows, on the page and elsewhere.
 fn heads(run: &Run, scene: &str, first: Option<&Summary>) -> (Cell, Cell) {
-    let record = run.info.scenes.iter().find(|record| record.name == scene);
-    let measured = first.and_then(|row| row.triangles.zip(row.objects));
-    let known = (
-        first
-            .and_then(|row| row.triangles)
-            .or(record.and_then(|r| r.triangles)),
-        first
-            .and_then(|row| row.objects)
-            .or(record.and_then(|r| r.objects)),
-    );
-    let size = maud::html! {
-        @if let Some(triangles) = known.0 { " " (count(triangles)) " triangles" }
-        @if let Some(objects) = known.1 { " · " (count(objects)) " objects" }
+    let [triangles, objects] = [
+        first.and_then(|row| row.triangles),
+        first.and_then(|row| row.objects),
+    ];
+    let size = triangles
+        .zip(objects)
+        .map_or_else(String::new, |(triangles, objects)| {
+            format!(", {} tri, {} obj", count(triangles), count(objects))
+        });
+    let record = run.scene(scene);
+    let known = maud::html! {
+        @if let Some(triangles) = triangles.or(record.and_then(|scene| scene.triangles)) {
+            " " (count(triangles)) " triangles"
+        }
+        @if let Some(objects) = objects.or(record.and_then(|scene| scene.objects)) {
+            " · " (count(objects)) " objects"
+        }
     };
     let title = run.scene_title(scene);
-    let wide = maud::html! { span.stay { (title) span.quiet { (size) } } };
-    let size = measured.map_or_else(String::new, |(triangles, objects)| {
-        format!(", {} tri, {} obj", count(triangles), count(objects))
-    });
+    let wide = maud::html! { span.stay { (title) span.quiet { (known) } } };
     (
         Cell::drawn(wide),
         Cell::strong(title).with(Part::Text(size)),

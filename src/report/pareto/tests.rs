@@ -64,7 +64,7 @@ fn the_mean_over_scenes_is_geometric_in_time_and_arithmetic_in_pixels() {
         cloud("a", &[("both", 2.0, 0.0), ("only here", 1.0, 0.0)]),
         cloud("b", &[("other", 1.0, 0.0), ("both", 8.0, 30.0)]),
     ];
-    let all = overall::cloud(&scenes).unwrap();
+    let all = overall(&scenes).unwrap();
     let [both] = all.points.as_slice() else {
         panic!("only those of every scene: {all:?}")
     };
@@ -74,10 +74,7 @@ fn the_mean_over_scenes_is_geometric_in_time_and_arithmetic_in_pixels() {
     assert_eq!(both.wrong_px_range, Some((0.0, 30.0)));
     assert_eq!(both.dominated_by, None);
 
-    assert!(
-        overall::cloud(&scenes[..1]).is_none(),
-        "one scene is no mean"
-    );
+    assert!(overall(&scenes[..1]).is_none(), "one scene is no mean");
 }
 
 /// The rows of a table, each by its header.

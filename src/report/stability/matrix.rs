@@ -58,27 +58,6 @@ pub(crate) struct Unseen<'a> {
     pub seen_at: Option<f64>,
 }
 
-/// How many pictures came out how.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub(crate) struct Counts {
-    /// As right as the method promises.
-    pub right: usize,
-    /// Wrong by a limit that the method declares.
-    pub declared: usize,
-    /// Wrong, and nothing said that it would be.
-    pub undeclared: usize,
-    /// That the method cannot draw.
-    pub unavailable: usize,
-    /// That something broke of.
-    pub failed: usize,
-}
-
-impl Counts {
-    pub(crate) fn all(self) -> usize {
-        self.right + self.declared + self.undeclared + self.unavailable + self.failed
-    }
-}
-
 impl<'a> Failure<'a> {
     /// The failures that are shown: the first, and the first undeclared one if that is another.
     pub(crate) fn shown(&self) -> impl Iterator<Item = &'a StressRow> + use<'a> {
@@ -164,13 +143,12 @@ impl StressRun {
 
     /// What methods declare and this run has not seen where they say: the limit may be gone, or begin later.
     pub(crate) fn unseen(&self) -> Vec<Unseen<'_>> {
-        let of = |method| {
-            let unseen = |declared| self.unseen_by(method, declared);
-            let declared: &[DeclaredCause] = &method.declared;
-            declared.iter().filter_map(unseen).collect::<Vec<_>>()
-        };
-        let methods: &[StressMethod] = &self.info.methods;
-        methods.iter().flat_map(of).collect()
+        let mut unseen = Vec::new();
+        for method in &self.info.methods {
+            let declared = method.declared.iter();
+            unseen.extend(declared.filter_map(|declared| self.unseen_by(method, declared)));
+        }
+        unseen
     }
 
     fn unseen_by<'a>(
@@ -178,11 +156,8 @@ impl StressRun {
         method: &'a StressMethod,
         declared: &'a DeclaredCause,
     ) -> Option<Unseen<'a>> {
-        let cause = self
-            .info
-            .causes
-            .iter()
-            .find(|cause| cause.id == declared.cause)?;
+        let mut causes = self.info.causes.iter();
+        let cause = causes.find(|cause| cause.id == declared.cause)?;
         let rows = self.rows_of(cause, method);
         let mut rows = rows.iter().filter(|row| row.value >= declared.from);
         let first = rows.next()?;
@@ -194,17 +169,9 @@ impl StressRun {
         })
     }
 
-    pub(crate) fn counts(&self) -> Counts {
-        let mut counts = Counts::default();
-        for row in &self.rows {
-            *match row.outcome {
-                Outcome::Right => &mut counts.right,
-                Outcome::Declared => &mut counts.declared,
-                Outcome::Undeclared => &mut counts.undeclared,
-                Outcome::Unavailable => &mut counts.unavailable,
-                Outcome::Failed => &mut counts.failed,
-            } += 1;
-        }
-        counts
+    /// How many pictures came out so.
+    pub(crate) fn count(&self, outcome: Outcome) -> usize {
+        let rows = self.rows.iter();
+        rows.filter(|row| row.outcome == outcome).count()
     }
 }

@@ -1,6 +1,8 @@
 //! The matrix for a terminal and as Markdown.
 
 use super::{Cell, Failure, Matrix, StressRun, Unseen};
+use crate::record::stress::Outcome;
+use crate::record::unique;
 use crate::report::format::{count, short};
 use crate::report::table::{self, Column, Part, Table, escape};
 
@@ -12,55 +14,45 @@ impl StressRun {
     /// The matrix for a terminal: methods are numbered columns, their names a legend below.
     pub(crate) fn matrix_text(&self) -> String {
         let matrix = self.matrix();
-        let numbers = (1..=matrix.methods.len()).map(|number| Column::number(number.to_string()));
-        let columns = [Column::text("cause")].into_iter().chain(numbers);
+        let numbers = 1..=matrix.methods.len();
+        let heads = [Column::text("cause")].into_iter();
+        let columns = heads.chain(numbers.map(|number| Column::number(number.to_string())));
         let rows = matrix.lines.iter().map(|line| {
+            let head = [table::Cell::from(line.cause.id.as_str())].into_iter();
             let cells = line.cells.iter().map(|cell| text(cell).into());
-            let head = [line.cause.id.as_str().into()].into_iter();
-            head.chain(cells).collect::<Vec<table::Cell>>()
+            head.chain(cells).collect::<Vec<_>>()
         });
         let mut text = Table::new("", columns).extend(rows).text() + "\n";
         let digits = matrix.methods.len().to_string().len();
         for (index, method) in matrix.methods.iter().enumerate() {
-            text.push_str(&format!("{:>digits$}  {}\n", index + 1, method.name()));
+            text += &format!("{:>digits$}  {}\n", index + 1, method.name());
         }
-        text.push_str(&format!("\n{}\n{}\n", legend(&matrix), self.tally()));
-        for unseen in self.unseen() {
-            text.push_str(&format!("declared, not seen: {}\n", unseen.words()));
-        }
-        text
+        text += &format!("\n{}\n{}\n", legend(&matrix), self.tally());
+        let unseen = self.unseen().into_iter();
+        let unseen = unseen.map(|unseen| format!("declared, not seen: {}\n", unseen.words()));
+        unseen.fold(text, |text, line| text + &line)
     }
 
     /// The matrix as a Markdown document.
     pub(crate) fn matrix_markdown(&self) -> String {
         let matrix = self.matrix();
-        let methods = matrix
-            .methods
-            .iter()
-            .map(|method| Column::number(method.name()));
-        let columns = ["Cause", "Number"]
-            .map(Column::text)
-            .into_iter()
-            .chain(methods);
+        let heads = ["Cause", "Number"].map(Column::text).into_iter();
+        let methods = matrix.methods.iter();
+        let columns = heads.chain(methods.map(|method| Column::number(method.name())));
         let rows = matrix.lines.iter().map(|line| {
-            let heads = [
-                line.cause.id.as_str().into(),
-                line.cause.number.as_str().into(),
-            ];
+            let heads = [&line.cause.id, &line.cause.number].map(|head| head.as_str().into());
             let cells = line.cells.iter().map(markdown);
             heads.into_iter().chain(cells).collect::<Vec<table::Cell>>()
         });
         let table = Table::new("", columns).extend(rows).markdown();
         let title = escape(self.title());
-        let mut text = format!("# {title}\n\n{table}\n{NOTES}\n\n{}\n", self.tally());
-        let unseen = self.unseen();
-        if !unseen.is_empty() {
-            text.push_str("\n## Declared, not seen\n\n");
+        let text = format!("# {title}\n\n{table}\n{NOTES}\n\n{}\n", self.tally());
+        let unseen = self.unseen().into_iter();
+        let unseen = unseen.map(|unseen| format!("- {}\n", escape(&unseen.words())));
+        match unseen.collect::<String>() {
+            unseen if unseen.is_empty() => text,
+            unseen => format!("{text}\n## Declared, not seen\n\n{unseen}"),
         }
-        for unseen in unseen {
-            text.push_str(&format!("- {}\n", escape(&unseen.words())));
-        }
-        text
     }
 
     /// What the run is about.
@@ -73,24 +65,22 @@ impl StressRun {
 
     /// The counts in a sentence.
     fn tally(&self) -> String {
-        let counts = self.counts();
-        let of = |number: usize| count(number as u64);
-        let end = if self.info.complete {
-            ""
-        } else {
-            " The run was interrupted."
+        let of = |outcome| count(self.count(outcome) as u64);
+        let failed = match of(Outcome::Failed) {
+            failed if failed == "0" => String::new(),
+            failed => format!(", {failed} not drawn"),
         };
-        let failed = match counts.failed {
-            0 => String::new(),
-            failed => format!(", {} not drawn", of(failed)),
+        let end = match self.info.complete {
+            true => "",
+            false => " The run was interrupted.",
         };
         format!(
             "Of {} pictures, {} right, {} wrong by a declared limit, {} wrong undeclared, {} unavailable{failed}.{end}",
-            of(counts.all()),
-            of(counts.right),
-            of(counts.declared),
-            of(counts.undeclared),
-            of(counts.unavailable)
+            count(self.rows.len() as u64),
+            of(Outcome::Right),
+            of(Outcome::Declared),
+            of(Outcome::Undeclared),
+            of(Outcome::Unavailable)
         )
     }
 }
@@ -98,22 +88,15 @@ impl StressRun {
 impl Unseen<'_> {
     /// In a line.
     fn words(&self) -> String {
-        let Self {
-            method,
-            declared,
-            value,
-            seen_at,
-        } = self;
-        let then = match seen_at {
-            Some(value) => format!("wrong from {}", short(*value)),
+        let then = match self.seen_at {
+            Some(value) => format!("wrong from {}", short(value)),
             None => "and at every later value".to_owned(),
         };
+        let (method, declared) = (self.method.name(), self.declared);
+        let [from, value] = [declared.from, self.value].map(short);
         format!(
-            "{}: {} from {}, but right at {}, {then}",
-            method.name(),
-            declared.cause,
-            short(declared.from),
-            short(*value),
+            "{method}: {} from {from}, but right at {value}, {then}",
+            declared.cause
         )
     }
 }
@@ -166,21 +149,14 @@ fn markdown(cell: &Cell<'_>) -> table::Cell {
     let first = short(failure.first.value);
     let value = match failure.undeclared {
         None => first.into(),
-        Some(_) if failure.begins_undeclared() => table::Cell::strong(format!("{first}!")),
+        Some(_) if failure.begins_undeclared() => table::Cell::strong(first + "!"),
         Some(later) => {
-            let later = Part::Strong(format!("{}!", short(later.value)));
-            table::Cell::from(format!("{first}, ")).with(later)
+            let later = Part::Strong(short(later.value) + "!");
+            table::Cell::from(first + ", ").with(later)
         }
     };
-    value.small(px(failure))
-}
-
-/// Artifact pixels at the first failure and at the worst, once where they are equal.
-fn px(failure: &Failure<'_>) -> String {
-    let (first, worst) = (failure.first.artifact_px, failure.worst.artifact_px);
-    if first == worst {
-        format!("{} px", count(first))
-    } else {
-        format!("{} → {} px", count(first), count(worst))
-    }
+    // At the first failure and at the worst, once where they are equal.
+    let px = [failure.first, failure.worst].map(|row| row.artifact_px);
+    let px = unique(px.into_iter()).into_iter().map(count);
+    value.small(px.collect::<Vec<_>>().join(" → ") + " px")
 }

@@ -6,7 +6,7 @@ use maud::{Markup, html};
 use super::provenance;
 use super::shell::{self, Section, banner};
 use crate::record::RunInfo;
-use crate::record::stress::StressMethod;
+use crate::record::stress::{Outcome, StressMethod};
 use crate::report::LegendEntry;
 use crate::report::format::{date, number_of, short};
 use crate::report::stability::{Line, Matrix, StressRun};
@@ -71,7 +71,7 @@ fn facts(run: &StressRun, common: &RunInfo) -> Markup {
 
 /// What a reader must know before the matrix, the gravest first.
 fn banners(run: &StressRun, matrix: &Matrix<'_>) -> Markup {
-    let undeclared = run.counts().undeclared;
+    let undeclared = run.count(Outcome::Undeclared);
     let methods = matrix.methods.iter().enumerate();
     let methods = methods.filter_map(|(index, method)| undeclared_of(matrix, index, method));
     html! {
