@@ -56,6 +56,16 @@ pub fn text<T: Serialize>(rows: &[T]) -> anyhow::Result<Vec<u8>> {
     text_of(rows, true)
 }
 
+/// All of a file whose rows do not name their columns.
+///
+/// # Errors
+/// When a row is none, or has another number of cells than the header.
+pub fn text_under<T: Serialize>(header: StringRecord, rows: &[T]) -> anyhow::Result<Vec<u8>> {
+    let mut all = vec![header];
+    all.extend(records_of(rows, false)?);
+    text_of_records(&all)
+}
+
 /// Rows as records, the header first.
 ///
 /// # Errors

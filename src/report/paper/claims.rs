@@ -1,18 +1,16 @@
 //! What a paper claims, and how that is held against numbers.
 
-use serde::{Deserialize, Serialize};
+use serde::Deserialize;
 
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Claim {
-    #[serde(rename(serialize = "claim"))]
     pub id: String,
     pub text: String,
     pub claimed: String,
     /// What to know about the paper's own numbers; may be empty.
-    #[serde(default, skip_serializing)]
+    #[serde(default)]
     pub note: String,
-    #[serde(skip_serializing)]
     pub check: Check,
 }
 

@@ -1,16 +1,16 @@
 //! Two series of a table held against each other, cell by cell, and what that says about a claim.
 
 use anyhow::{Context as _, Result};
-use serde::{Serialize, Serializer};
 
-use super::sheet::{Column, Mask, Point, Sheet, Source};
+use super::sheet::{Column, Mask, Point, Sheet};
 use crate::record::unique;
 
 /// The numbers of one measurer: of the paper's authors on all their devices, or of one device here.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Evidence<'a> {
     pub(super) sheets: &'a [Sheet],
-    pub(super) source: Source,
+    /// The place in the list of device groups; none for the paper.
+    pub(super) group: Option<usize>,
 }
 
 /// A series' speed over another's, wherever both were measured.
@@ -40,18 +40,17 @@ pub(crate) enum Verdict {
     /// The numbers contradict it.
     NotReproduced,
     NotMeasured,
-    /// The numbers are the paper's own: a verdict is about a repetition.
-    Own,
+    /// None on the paper's own numbers: a verdict is about a repetition.
+    None,
 }
 
 /// What a measurer's numbers say about a claim.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Finding {
     pub verdict: Verdict,
     /// The figure that decides, where there is a single one.
     pub value: Option<f64>,
     pub unit: &'static str,
-    #[serde(rename = "found")]
     pub text: String,
     /// On how many comparisons it rests.
     pub pairs: usize,
@@ -77,7 +76,7 @@ impl<'a> Evidence<'a> {
         let both = [place(series[0])?, place(series[1])?];
         let points: Vec<(usize, &Point)> = sheet.points.iter().enumerate().collect();
         let points = points.into_iter().filter(|(_, point)| wanted(point));
-        let own = |column: &&Column| column.source == self.source;
+        let own = |column: &&Column| column.group == self.group;
         let columns = sheet.columns.iter().filter(own);
         let ratio = |column: &'a Column, (at, point): (usize, &'a Point)| {
             let [one, other] = both.map(|series| column.value(series, at));
@@ -125,7 +124,7 @@ impl Verdict {
             Self::TrendOnly => "trend only",
             Self::NotReproduced => "not reproduced",
             Self::NotMeasured => "not measured",
-            Self::Own => "",
+            Self::None => "",
         }
     }
 
@@ -135,12 +134,6 @@ impl Verdict {
             (false, true) => Self::TrendOnly,
             (false, false) => Self::NotReproduced,
         }
-    }
-}
-
-impl Serialize for Verdict {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.serialize_str(self.word())
     }
 }
 

@@ -1,16 +1,17 @@
 //! The ledger: each claim of the paper beside what its own tables and each measured device say.
 
 use anyhow::{Context as _, Result};
-use serde::Serialize;
 
 use super::claims::Claim;
 use super::evidence::{Evidence, Finding, Verdict};
 use super::published::Publication;
-use super::sheet::{Sheet, Source};
+use super::sheet::Sheet;
 use crate::report::groups::Group;
 use crate::report::table::{Cell, Column, Table, escape};
-use crate::table::text;
+use crate::table::text_under;
 
+const HEAD: &str =
+    "claim,text,claimed,source,device,software,verdict,value,unit,found,pairs,pairs_of,wrong_masks";
 pub(crate) const SOFTWARE_NOTE: &str = "renders in software: its times say nothing about GPUs, and neither \
     do its verdicts.";
 
@@ -25,15 +26,7 @@ pub(crate) struct Ledger {
 pub(crate) struct Entry {
     pub claim: &'static Claim,
     /// What the paper's own tables give, then what each measured device gives.
-    pub findings: Vec<(Measurer, Finding)>,
-}
-
-/// Whose numbers a finding is about.
-#[derive(Debug, Clone, Serialize)]
-pub(crate) struct Measurer {
-    source: &'static str,
-    device: String,
-    software: bool,
+    pub findings: Vec<(String, Finding)>,
 }
 
 impl Ledger {
@@ -42,47 +35,54 @@ impl Ledger {
         sheets: &[Sheet],
         groups: &[Group<'_>],
     ) -> Result<Self> {
-        let own = Measurer {
-            source: "paper",
-            device: "The paper's own tables".to_owned(),
-            software: false,
-        };
-        let mut measurers = vec![(own, Source::Paper)];
-        measurers.extend(groups.iter().enumerate().map(|(index, group)| {
-            let measurer = Measurer {
-                source: "measured",
-                device: group.label.clone(),
-                software: group.software,
-            };
-            (measurer, Source::Measured(index))
-        }));
+        let mut measurers = vec![(None, "The paper's own tables".to_owned())];
+        let groups = groups.iter().enumerate();
+        measurers.extend(
+            groups
+                .clone()
+                .map(|(index, group)| (Some(index), group.label.clone())),
+        );
         let entry = |claim: &'static Claim| {
-            let find = |(who, source): &(Measurer, Source)| {
-                let source = *source;
-                let mut found = claim.check.find(&Evidence { sheets, source })?;
-                if source == Source::Paper {
-                    found.verdict = Verdict::Own;
+            let find = |(group, device): &(Option<usize>, String)| {
+                let group = *group;
+                let mut found = claim.check.find(&Evidence { sheets, group })?;
+                if group.is_none() {
+                    found.verdict = Verdict::None;
                 }
-                Ok((who.clone(), found))
+                Ok((device.clone(), found))
             };
             let findings = measurers.iter().map(find).collect::<Result<_>>();
             let findings =
                 findings.with_context(|| format!("cannot check the claim {}", claim.id))?;
             Ok(Entry { claim, findings })
         };
-        let software = groups.iter().filter(|group| group.software);
+        let software = groups.filter(|(_, group)| group.software);
         Ok(Self {
             entries: paper.claims.iter().map(entry).collect::<Result<_>>()?,
-            software: software.map(|group| group.label.clone()).collect(),
+            software: software.map(|(_, group)| group.label.clone()).collect(),
         })
     }
 
     pub(crate) fn csv(&self) -> Result<String> {
         let mut rows = Vec::new();
         for Entry { claim, findings } in &self.entries {
-            rows.extend(findings.iter().map(|(who, finding)| (*claim, who, finding)));
+            for (device, finding) in findings {
+                let is_own = finding.verdict == Verdict::None;
+                rows.push((
+                    (&claim.id, &claim.text, &claim.claimed),
+                    if is_own { "paper" } else { "measured" },
+                    device,
+                    !is_own && self.software.contains(device),
+                    finding.verdict.word(),
+                    (finding.value, finding.unit, &finding.text),
+                    (finding.pairs, finding.pairs_of, finding.wrong_masks),
+                ));
+            }
         }
-        Ok(String::from_utf8(text(&rows)?)?)
+        Ok(String::from_utf8(text_under(
+            HEAD.split(',').collect(),
+            &rows,
+        )?)?)
     }
 
     pub(crate) fn markdown(&self) -> String {
@@ -108,20 +108,20 @@ impl Ledger {
             let claimed = format!("claimed: {}", claim.claimed).into();
             let plain = vec![Cell::strong(&claim.text), "".into(), "".into(), claimed];
             table.begin(Cell::drawn(wide), plain);
-            table = table.extend(findings.iter().map(|(who, finding)| {
+            table = table.extend(findings.iter().map(|(device, finding)| {
                 let verdict = Cell::from(finding.verdict.word()).class(match finding.verdict {
                     Verdict::Reproduced => "verdict held",
                     Verdict::TrendOnly => "verdict trend",
                     Verdict::NotReproduced => "verdict broken",
                     Verdict::NotMeasured => "verdict quiet",
-                    Verdict::Own => "",
+                    Verdict::None => "",
                 });
                 let mut found = Cell::from(finding.text.as_str());
-                if finding.verdict == Verdict::Own && !claim.note.is_empty() {
+                if finding.verdict == Verdict::None && !claim.note.is_empty() {
                     found = found.small(&claim.note);
                 }
                 [
-                    who.device.as_str().into(),
+                    device.as_str().into(),
                     verdict,
                     finding.rests_on().into(),
                     found,

@@ -3,7 +3,7 @@
 use std::cmp::Reverse;
 
 use super::published::Series;
-use super::sheet::{Column, Mask, Point, Sheet, Source, Value};
+use super::sheet::{Column, Mask, Point, Sheet, Value};
 use crate::record::{Status, Summary};
 use crate::report::groups::Group;
 use crate::report::load::{Run, unique};
@@ -17,7 +17,7 @@ pub(super) fn fill(sheets: &mut [Sheet], groups: &[Group<'_>]) {
             if !cells.is_empty() {
                 sheet.columns.push(Column {
                     device: group.label.clone(),
-                    source: Source::Measured(index),
+                    group: Some(index),
                     cells,
                 });
             }

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use anyhow::{Context as _, Result, bail};
 
 use super::published::{self, Place, Publication, Spec};
-use super::sheet::{Column, Point, Sheet, Source, Value};
+use super::sheet::{Column, Point, Sheet, Value};
 use crate::report::format::count;
 
 /// A row of a file of published numbers, by the names of its columns.
@@ -60,7 +60,7 @@ fn add(sheet: &mut Sheet, row: &Record) -> Result<()> {
         Some(column) => column.cells.push(value),
         None => sheet.columns.push(Column {
             device: device.clone(),
-            source: Source::Paper,
+            group: None,
             cells: vec![value],
         }),
     }

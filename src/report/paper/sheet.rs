@@ -32,16 +32,10 @@ pub(crate) struct Point {
 pub(crate) struct Column {
     /// The device, and what tells it from another group of the same device.
     pub device: String,
-    pub source: Source,
+    /// Its place in the list of device groups; none for a device of the paper.
+    pub group: Option<usize>,
     /// What was measured.
     pub cells: Vec<Value>,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Source {
-    Paper,
-    /// A run of this program; the place in the list of device groups.
-    Measured(usize),
 }
 
 /// A value, and what is known about the picture behind it.
@@ -138,7 +132,7 @@ impl Column {
     }
 
     pub(crate) fn is_published(&self) -> bool {
-        self.source == Source::Paper
+        self.group.is_none()
     }
 }
 

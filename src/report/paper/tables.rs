@@ -7,7 +7,7 @@ use serde::Serialize;
 use super::sheet::{Column, Sheet};
 use crate::record::unique;
 use crate::report::table::{self, Cell, Table, escape};
-use crate::table::{records, text_of_records};
+use crate::table::text_under;
 
 impl Sheet {
     /// The table as CSV: a row for each cell of each device, measured or not. The columns from `device` on are those of
@@ -41,9 +41,7 @@ impl Sheet {
                 }
             }
         }
-        let mut all = vec![head];
-        all.extend(records(&rows)?);
-        Ok(String::from_utf8(text_of_records(&all)?)?)
+        Ok(String::from_utf8(text_under(head, &rows)?)?)
     }
 
     fn csv_row<'a>(

@@ -3,12 +3,11 @@
 use std::path::Path;
 
 use anyhow::{Context as _, Result};
-use csv::StringRecord;
 use serde::Serialize;
 
 use super::{Cloud, PARETO_FILE, Point};
 use crate::output::{remove_stale, write_atomically};
-use crate::table::{records, text_of_records};
+use crate::table::text_under;
 
 /// The columns. Those that `summary.csv` has too hold the same text there; for rows over all scenes, see [`Point`].
 const HEAD: &str = "scene,method,variant,curve,swept_parameter,swept_value,shadow_ms_median,shadow_ms_p05,\
@@ -35,9 +34,7 @@ fn csv(clouds: &[Cloud]) -> Result<Vec<u8>> {
     for cloud in scenes.into_iter().chain(overall) {
         rows.extend(cloud.points.iter().map(|point| row(cloud, point)));
     }
-    let mut all = vec![StringRecord::from_iter(HEAD.split(','))];
-    all.extend(records(&rows)?);
-    text_of_records(&all)
+    text_under(HEAD.split(',').collect(), &rows)
 }
 
 fn row<'a>(cloud: &'a Cloud, point: &'a Point) -> impl Serialize + use<'a> {

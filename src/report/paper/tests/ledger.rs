@@ -6,7 +6,7 @@ use crate::report::fixture::paper_run;
 use crate::report::paper::Paper;
 use crate::report::paper::claims::{Check, SpeedUp};
 use crate::report::paper::evidence::{Evidence, Finding, Verdict};
-use crate::report::paper::sheet::{Point, Source};
+use crate::report::paper::sheet::Point;
 
 fn finding<'a>(paper: &'a Paper, claim: &str) -> &'a Finding {
     let entry = paper.ledger.entries.iter().find(|e| e.claim.id == claim);
@@ -24,7 +24,7 @@ fn the_claims_recomputed_from_the_published_tables() {
     let sheets = milet_sheets();
     let evidence = Evidence {
         sheets: &sheets,
-        source: Source::Paper,
+        group: None,
     };
     let found: Vec<Finding> = milet()
         .claims
