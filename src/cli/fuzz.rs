@@ -30,7 +30,7 @@ pub(super) struct FuzzArgs {
     /// Seed of the first scene; the next scene has the next seed
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u64).range(..u64::MAX))]
     seed: u64,
-    /// Stop after so many seconds
+    /// Stop after this many seconds
     #[arg(long, value_name = "S")]
     seconds: Option<u64>,
     /// Size of the pictures
@@ -68,8 +68,13 @@ pub(super) fn execute(args: &FuzzArgs, registry: &Registry) -> anyhow::Result<()
     args.device.check_validation()?;
     let undeclared: u64 = tallies.iter().map(|tally| tally.undeclared).sum();
     if undeclared > 0 {
+        let pictures = if undeclared == 1 {
+            "picture is"
+        } else {
+            "pictures are"
+        };
         anyhow::bail!(
-            "{undeclared} pictures are wrong in a way that no limit of the method declares"
+            "{undeclared} {pictures} wrong in a way that no limit of the method declares"
         );
     }
     let failed: u64 = tallies.iter().map(|tally| tally.failed).sum();

@@ -50,7 +50,12 @@ impl Progress {
             last.set(Instant::now());
             let (done, all) = (self.bar.position(), self.bar.length().unwrap_or(0));
             let seconds = self.started.elapsed().as_secs_f64();
-            console::say(&format!("[{seconds:6.1} s] {done}/{all} {text}"));
+            let of_all = if all > 0 {
+                format!("/{all}")
+            } else {
+                String::new()
+            };
+            console::say(&format!("[{seconds:6.1} s] {done}{of_all} {text}"));
         }
     }
 

@@ -19,7 +19,7 @@ use std::path::{Path, PathBuf};
 pub(super) struct RunArgs {
     /// The configuration: a TOML file that names scenes and methods
     config: PathBuf,
-    /// The run directory to write, new or empty (default: results/<date>-<config>-<device>)
+    /// The run directory to write, new or empty (default: results/<date>-<time>-<config>-<device>)
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
     /// Run the configuration at one of its scales: `full`, or one of its `[scales]`

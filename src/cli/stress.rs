@@ -35,7 +35,7 @@ pub(super) struct StressArgs {
     /// Size of the pictures instead of the configuration's
     #[arg(long, value_name = "WxH", value_parser = values::size)]
     size: Option<(u32, u32)>,
-    /// The directory to write, new or empty (default: results/<date>-<config>-<device>)
+    /// The directory to write, new or empty (default: results/<date>-<time>-<config>-<device>)
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
     #[command(flatten)]

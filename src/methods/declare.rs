@@ -28,6 +28,12 @@
 /// let [resolution, bias] = &map.parameters()[..] else { panic!() };
 /// assert_eq!(resolution.domain.to_string(), "from 1 to 65536");
 /// assert_eq!((bias.name, bias.default_text().as_str()), ("bias", "2.0"));
+///
+/// svbench::parameters! {
+///     /// A method may have none.
+///     pub struct Rays {}
+/// }
+/// assert!(Rays::default().parameters().is_empty());
 /// ```
 ///
 /// Gives `Debug`, `Clone`, `Default` and [`Parameters`](crate::methods::Parameters).
@@ -81,6 +87,8 @@ macro_rules! parameters {
                 name: &str,
                 value: &$crate::methods::ParameterValue<'_>,
             ) -> Result<bool, $crate::methods::ParameterError> {
+                // Not used where there is no parameter.
+                let _ = (name, value);
                 Ok(false
                     $(|| (name == stringify!($field) && {
                         self.$field = $crate::methods::read_parameter(value)?;

@@ -88,7 +88,7 @@ pub enum MethodError {
     /// The driver refused.
     #[error(transparent)]
     Native(#[from] crate::gpu::native::NativeError),
-    /// The device has not what it takes, or is lost.
+    /// The device lacks what the method needs, or is lost.
     #[error(transparent)]
     Device(#[from] DeviceError),
 }

@@ -12,9 +12,9 @@ static DEVICE: LazyLock<Mutex<Gpu>> = LazyLock::new(|| {
         validation: true,
         ..GpuOptions::default()
     };
-    Mutex::new(
-        Gpu::open(&options).expect("tests need a Vulkan device; scripts/test.sh installs one"),
-    )
+    Mutex::new(Gpu::open(&options).expect(
+        "tests need a Vulkan device and the validation layers; scripts/test.sh installs them",
+    ))
 });
 
 /// The device, for one test at a time; dropping it fails the test if the validation layers spoke.
