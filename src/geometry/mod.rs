@@ -5,6 +5,7 @@ pub mod bounds;
 pub mod end_plane;
 pub mod facing;
 pub mod near_volume;
+pub mod silhouette;
 pub mod topology;
 
 pub use bounds::Bounds;
