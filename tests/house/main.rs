@@ -43,7 +43,7 @@ const KNOWN_LONG_FUNCTIONS: &[&str] = &[];
 
 /// What the ninetieth percentile of the files and the report have now, where that is more than they may.
 const KNOWN_FILE_LINES: Option<usize> = None;
-const KNOWN_REPORT_LINES: Option<usize> = Some(8250);
+const KNOWN_REPORT_LINES: Option<usize> = Some(6800);
 
 const MAX_FILE_LINES: usize = 250;
 const MAX_FUNCTION_LINES: usize = 60;

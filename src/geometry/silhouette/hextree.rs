@@ -83,7 +83,7 @@ impl Hextree {
     pub fn silhouette(&self, mesh: &Mesh, topology: &Topology, light: Vec4) -> Vec<SilhouetteEdge> {
         let mut lists = vec![self.always.as_slice()];
         self.visit(0, &Origin(DVec3::ZERO).light(light), &mut |edges| {
-            lists.push(edges)
+            lists.push(edges);
         });
         let chunks = lists
             .par_iter()
@@ -102,7 +102,7 @@ impl Hextree {
     pub fn asked(&self, light: Vec4) -> usize {
         let mut asked = self.always.len();
         self.visit(0, &Origin(DVec3::ZERO).light(light), &mut |edges| {
-            asked += edges.len()
+            asked += edges.len();
         });
         asked
     }

@@ -137,7 +137,7 @@ impl PlaneTree {
     pub fn asked(&self, light: Vec4) -> usize {
         let (dual, mut asked) = (self.origin.light(light), self.edges.len() - self.always);
         self.leaves(0..self.nodes.len() as u32, &dual, |edges| {
-            asked += edges.len()
+            asked += edges.len();
         });
         asked
     }
