@@ -40,9 +40,16 @@ impl Group {
         let bars = self.bars.len().max(1) as i32;
         let pitch = ((right - left) * 5 / 6 / bars).clamp(2, MAX_BAR_PX);
         let mut left = (left + right - pitch * bars) / 2;
+        // All values or none: one alone would look as if it were special.
+        let fits = |(value, _): &(f64, f64)| text_width_px(&three_digits(*value), 12) <= pitch + 6;
+        let has_values = self.bars.iter().flatten().all(fits);
         for (bar, (style, _)) in self.bars.iter().zip(legend) {
             if let Some(bar) = bar {
-                self.paint_bar(canvas, frame, *bar, (left, pitch), *style)?;
+                let end = self.paint_bar(canvas, frame, *bar, (left, pitch), *style)?;
+                if has_values {
+                    let value = three_digits(bar.0);
+                    canvas.text(&value, (end.0, end.1 - 9), &font(12, INK, HPos::Center))?;
+                }
             } else if pitch >= 12 && !self.is_hollow {
                 let at = (left + pitch / 2, frame.area.bottom - 6);
                 canvas.text("not measured", at, &upright(12, MUTED, HPos::Left))?;
@@ -52,6 +59,7 @@ impl Group {
         Ok(())
     }
 
+    /// Gives the top of the bar and its whisker.
     fn paint_bar(
         &self,
         canvas: &Canvas<'_, '_>,
@@ -59,7 +67,7 @@ impl Group {
         (value, end): (f64, f64),
         (left, pitch): Px,
         style: Style,
-    ) -> Result<()> {
+    ) -> Result<Px> {
         let right = left + (pitch - (pitch / 8).max(1)).max(1);
         let middle = (left + right) / 2;
         let (top, end) = (frame.place((0.0, value)).1, frame.place((0.0, end)).1);
@@ -80,11 +88,7 @@ impl Group {
             };
             canvas.line(&[(middle, top), (middle, end)], whisker)?;
         }
-        let value = three_digits(value);
-        if text_width_px(&value, 12) <= pitch + 6 {
-            canvas.text(&value, (middle, end - 9), &font(12, INK, HPos::Center))?;
-        }
-        Ok(())
+        Ok((middle, end))
     }
 }
 
