@@ -28,7 +28,7 @@ pub struct SilhouetteEdge {
 /// Edges that one task asks at a time.
 const EDGES_PER_TASK: usize = 4096;
 
-/// The multiplicity of an edge, see [`SilhouetteEdge`]. `light` is homogeneous, as in [`facing`].
+/// The multiplicity of an edge, see [`SilhouetteEdge`]. `light` is homogeneous, as in [`facing()`](fn@facing).
 pub fn multiplicity(mesh: &Mesh, topology: &Topology, edge: Edge, light: Vec4) -> i32 {
     let [a, b] = [edge.a, edge.b].map(|vertex| mesh.positions[vertex as usize]);
     let opposites = topology.opposites_of(edge).iter();
