@@ -25,8 +25,8 @@ pub(super) static INFO: MethodInfo = MethodInfo {
         &[
             Limit::in_words("needs a light at a point"),
             Limit {
-                text: "a light much farther away than the scene is large: the whole scene falls into a few texels, and its \
-                       shadows are coarse or missing",
+                text: "a light much farther away than the scene is large: the whole scene falls into a few texels, and \
+                       its shadows are coarse or missing",
                 with: &[],
                 fails: &[("light_distance", 3.0)],
                 kinds: &[Label::Staircase, Label::DetachedShadow],

@@ -6,7 +6,7 @@
 
 use super::planes::{DualLight, Origin, PlaneBox};
 use super::{SilhouetteEdge, ask};
-use crate::geometry::Topology;
+use crate::geometry::{Bounds, Topology};
 use crate::scene::mesh::Mesh;
 use glam::{DVec3, Vec4};
 use rayon::prelude::*;
@@ -49,28 +49,10 @@ struct Item {
 impl PlaneTree {
     /// Builds the tree, on all cores.
     pub fn build(mesh: &Mesh, topology: &Topology) -> Self {
-        let (low, high) = mesh
-            .positions
-            .par_iter()
-            .map(|p| p.as_dvec3())
-            .map(|p| (p, p))
-            .reduce(
-                || (DVec3::INFINITY, DVec3::NEG_INFINITY),
-                |(low, high), (l, h)| (low.min(l), high.max(h)),
-            );
-        let is_empty = topology.edges.is_empty();
-        let origin = Origin(if is_empty {
-            DVec3::ZERO
-        } else {
-            0.5 * (low + high)
-        });
+        let Bounds { low, high } = Bounds::of(&mesh.positions);
+        let origin = Origin(0.5 * (low + high));
         // Lights are about as far away as the mesh is large, and a normal counts by that much.
-        let radius = if is_empty {
-            1.0
-        } else {
-            0.5 * (high - low).length()
-        };
-        let weights = DVec3::splat(radius).extend(1.0);
+        let weights = DVec3::splat(0.5 * (high - low).length()).extend(1.0);
         let boxes: Vec<Option<PlaneBox>> = topology
             .edges
             .par_iter()
