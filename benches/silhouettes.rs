@@ -4,7 +4,7 @@ use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use glam::Vec4;
 use std::hint::black_box;
 use svbench::geometry::Topology;
-use svbench::geometry::silhouette::{HEXTREE_DEPTH, Hextree, PlaneTree, brute_force};
+use svbench::geometry::silhouette::{BruteForce, HEXTREE_DEPTH, Hextree, PlaneTree};
 use svbench::scene::sphere_grid::SphereGrid;
 
 const LIGHT: Vec4 = Vec4::new(8.0, 45.0, 12.0, 1.0);
@@ -21,11 +21,12 @@ fn extraction(criterion: &mut Criterion) {
         let Ok(mesh) = grid.mesh() else { continue };
         let topology = Topology::build(&mesh);
         let triangles = mesh.triangles.len();
+        let mut brute_force = BruteForce::build(&mesh, &topology);
         let plane_tree = PlaneTree::build(&mesh, &topology);
         let hextree = Hextree::build(&mesh, &topology, HEXTREE_DEPTH);
         let named = |what| BenchmarkId::new(what, triangles);
         group.bench_function(named("brute force"), |bencher| {
-            bencher.iter(|| brute_force(&mesh, &topology, black_box(LIGHT)));
+            bencher.iter(|| brute_force.silhouette(&mesh, &topology, black_box(LIGHT)));
         });
         group.bench_function(named("plane tree"), |bencher| {
             bencher.iter(|| plane_tree.silhouette(&mesh, &topology, black_box(LIGHT)));

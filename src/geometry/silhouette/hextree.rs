@@ -1,4 +1,4 @@
-//! The tree of Wallner 2006 (*Geometry of Real Time Shadows*, section 2.1).
+//! The tree of Wallner 2006 (*Geometry of Real Time Shadows*, section 4).
 //!
 //! The plane of a triangle, brought to length 1, is a point of the cube from -1 to 1 in four dimensions. An edge of two
 //! triangles is then a *dual edge* between two points, and lives in the smallest cube that holds both; a cube has 16
@@ -8,12 +8,15 @@
 //! Unlike the paper's, planes are those of triangles and not of vertices, and an edge that has not two triangles is asked
 //! for every light, so that any mesh will do.
 
-use super::planes::{DualLight, Origin, PlaneBox};
-use super::{SilhouetteEdge, ask};
+use super::edge_block::EdgeBlock;
+use super::lanes::{Boxes, DualLight, LANES, OneBox, lanes_of};
+use super::planes::{Origin, PlaneBox};
+use super::{Question, SilhouetteEdge, in_parallel};
 use crate::geometry::{Edge, Topology};
 use crate::scene::mesh::Mesh;
-use glam::{BVec4, DVec3, DVec4, Vec4};
+use glam::{BVec4, DVec2, DVec4, Vec4};
 use rayon::prelude::*;
+use std::ops::Range;
 
 /// The depth of the paper's measurements.
 pub const DEPTH: u32 = 4;
@@ -22,13 +25,25 @@ pub const DEPTH: u32 = 4;
 pub struct Hextree {
     /// The root first; children after their parents.
     cubes: Vec<Cube>,
+    /// The edges of all cubes, cube after cube.
+    blocks: Vec<EdgeBlock>,
     /// What no cube can hold.
     always: Vec<u32>,
 }
 
 struct Cube {
+    children: [Option<u32>; CHILDREN],
+    /// Around these.
+    boxes: [Boxes; CHILDREN / LANES],
+    blocks: Range<u32>,
+}
+
+const CHILDREN: usize = 16;
+
+/// A cube while the tree is built.
+struct NewCube {
     planes: PlaneBox,
-    children: [Option<u32>; 16],
+    children: [Option<u32>; CHILDREN],
     edges: Vec<u32>,
 }
 
@@ -36,97 +51,123 @@ impl Hextree {
     /// Builds the tree; `depth` is how often cubes are divided at most, [`DEPTH`] in the paper.
     pub fn build(mesh: &Mesh, topology: &Topology, depth: u32) -> Self {
         let of_edge = |edge: &Edge| {
-            let [one, other] = Origin(DVec3::ZERO).pair(mesh, topology, *edge)?;
+            let [one, other] = Origin::WORLD.pair(mesh, topology, *edge)?;
             Some(one.on_unit_sphere().union(&other.on_unit_sphere()))
         };
         let dual: Vec<Option<PlaneBox>> = topology.edges.par_iter().map(of_edge).collect();
-        let mut tree = Self {
-            cubes: vec![Cube::new(DVec4::ZERO, 1.0)],
-            always: Vec::new(),
-        };
+        let mut new = vec![NewCube::new(DVec4::ZERO, 1.0)];
+        let mut always = Vec::new();
         for (edge, planes) in (0..).zip(&dual) {
             match planes {
-                Some(planes) => tree.insert(edge, planes, depth),
-                None => tree.always.push(edge),
+                Some(planes) => insert(&mut new, edge, planes, depth),
+                None => always.push(edge),
             }
         }
-        tree
-    }
-
-    fn insert(&mut self, edge: u32, planes: &PlaneBox, depth: u32) {
-        let (mut at, mut centre, mut half) = (0, DVec4::ZERO, 1.0);
-        for _ in 0..depth {
-            self.cubes[at].planes.doubt = self.cubes[at].planes.doubt.max(planes.doubt);
-            let child = planes.low.cmpge(centre);
-            if child != planes.high.cmpge(centre) {
-                break;
+        let mut first = 0;
+        let cubes = new.iter().map(|cube| {
+            let blocks = first..first + cube.edges.len().div_ceil(LANES) as u32;
+            first = blocks.end;
+            let boxes = cube.children.map(|child| {
+                child.map_or(OneBox::EMPTY, |child| {
+                    OneBox::from(&new[child as usize].planes)
+                })
+            });
+            Cube {
+                children: cube.children,
+                boxes: [Boxes::new(&boxes[..LANES]), Boxes::new(&boxes[LANES..])],
+                blocks,
             }
-            half *= 0.5;
-            centre += half * sign(child);
-            let index = child.bitmask() as usize;
-            at = match self.cubes[at].children[index] {
-                Some(known) => known as usize,
-                None => {
-                    let new = self.cubes.len();
-                    self.cubes.push(Cube::new(centre, half));
-                    self.cubes[at].children[index] = Some(new as u32);
-                    new
-                }
-            };
+        });
+        let cubes = cubes.collect();
+        let chunks = new.par_iter().flat_map(|cube| cube.edges.par_chunks(LANES));
+        let blocks = chunks.map(|edges| {
+            let edges = edges.iter().copied();
+            EdgeBlock::new(mesh, topology, Origin::WORLD, edges).0
+        });
+        Self {
+            cubes,
+            blocks: blocks.collect(),
+            always,
         }
-        let cube = &mut self.cubes[at];
-        cube.planes.doubt = cube.planes.doubt.max(planes.doubt);
-        cube.edges.push(edge);
     }
 
-    /// The silhouette, in ascending order of the edges: that of [`brute_force`](super::brute_force), bit for bit.
+    /// The silhouette: that of [`BruteForce`](super::BruteForce), bit for bit, in the order of the tree.
     pub fn silhouette(&self, mesh: &Mesh, topology: &Topology, light: Vec4) -> Vec<SilhouetteEdge> {
-        let mut lists = vec![self.always.as_slice()];
-        self.visit(0, &Origin(DVec3::ZERO).light(light), &mut |edges| {
-            lists.push(edges);
+        let dual = &Origin::WORLD.light(light);
+        let question = Question {
+            mesh,
+            topology,
+            light,
+        };
+        let mut blocks = Vec::new();
+        self.visit(0, dual, &mut |of_cube| blocks.extend(of_cube));
+        let mut found = in_parallel(&blocks, 256, |block, found| {
+            block.ask(question, dual, found)
         });
-        let chunks = lists
-            .par_iter()
-            .flat_map_iter(|list| list.chunks(super::EDGES_PER_TASK));
-        let found = chunks.flat_map_iter(|edges| {
-            edges
-                .iter()
-                .filter_map(|&edge| ask(mesh, topology, edge, light))
-        });
-        let mut found: Vec<SilhouetteEdge> = found.collect();
-        found.par_sort_unstable();
+        found.append(&mut in_parallel(&self.always, 1024, |&edge, found| {
+            found.extend(question.ask(edge));
+        }));
         found
     }
 
     /// How many edges are asked for a light.
     pub fn asked(&self, light: Vec4) -> usize {
         let mut asked = self.always.len();
-        self.visit(0, &Origin(DVec3::ZERO).light(light), &mut |edges| {
-            asked += edges.len();
+        self.visit(0, &Origin::WORLD.light(light), &mut |blocks| {
+            asked += blocks.iter().flat_map(EdgeBlock::edges).count();
         });
         asked
     }
 
-    fn visit<'a>(&'a self, cube: u32, light: &DualLight, visit: &mut impl FnMut(&'a [u32])) {
+    fn visit<'a>(&'a self, cube: u32, light: &DualLight, visit: &mut impl FnMut(&'a [EdgeBlock])) {
         let cube = &self.cubes[cube as usize];
-        if !cube.planes.is_on_one_side(light) {
-            visit(&cube.edges);
-            for child in cube.children.iter().flatten() {
-                self.visit(*child, light, visit);
+        visit(&self.blocks[cube.blocks.start as usize..cube.blocks.end as usize]);
+        for (boxes, children) in cube.boxes.iter().zip(cube.children.chunks(LANES)) {
+            for lane in lanes_of(boxes.meeting(light)) {
+                if let Some(child) = children[lane] {
+                    self.visit(child, light, visit);
+                }
             }
         }
     }
 }
 
-impl Cube {
+/// Puts an edge into the smallest cube that holds its planes.
+fn insert(cubes: &mut Vec<NewCube>, edge: u32, planes: &PlaneBox, depth: u32) {
+    let (mut at, mut centre, mut half) = (0, DVec4::ZERO, 1.0);
+    for _ in 0..depth {
+        let child = planes.low.cmpge(centre);
+        if child != planes.high.cmpge(centre) {
+            break;
+        }
+        half *= 0.5;
+        centre += half * sign(child);
+        let index = child.bitmask() as usize;
+        at = match cubes[at].children[index] {
+            Some(known) => known as usize,
+            None => {
+                let new = cubes.len();
+                cubes.push(NewCube::new(centre, half));
+                cubes[at].children[index] = Some(new as u32);
+                new
+            }
+        };
+        let doubt = &mut cubes[at].planes.doubt;
+        *doubt = doubt.max(planes.doubt);
+    }
+    cubes[at].edges.push(edge);
+}
+
+impl NewCube {
     fn new(centre: DVec4, half: f64) -> Self {
         Self {
             planes: PlaneBox {
                 low: centre - half,
                 high: centre + half,
-                doubt: DVec4::ZERO,
+                // Rounding grows with the corners of the cube, too.
+                doubt: DVec2::ONE,
             },
-            children: [None; 16],
+            children: [None; CHILDREN],
             edges: Vec::new(),
         }
     }

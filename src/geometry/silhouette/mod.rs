@@ -1,18 +1,25 @@
 //! Silhouette edges on the processor: which edges bound a shadow volume for a light, and how often.
 //!
 //! An edge is on the silhouette if the facings of the triangles on it, all taken along the edge, do not cancel: their sum
-//! is its *multiplicity*. [`brute_force`] asks every edge. The trees ask few of them and find the same: a [`PlaneTree`]
-//! groups edges by the planes of their triangles, a [`Hextree`] is that of Wallner 2006.
+//! is its *multiplicity*. [`BruteForce`] finds the facings of all triangles and asks every edge. The trees ask few edges
+//! and find the same: a [`PlaneTree`] groups edges by the planes of their triangles, a [`Hextree`] is that of Wallner
+//! 2006.
 
+mod brute_force;
+mod edge_block;
+mod facings;
 mod hextree;
+mod lanes;
 mod plane_tree;
 mod planes;
 
-use super::{Edge, Topology, facing};
+use super::{Topology, facing};
 use crate::scene::mesh::Mesh;
 use glam::Vec4;
 use rayon::prelude::*;
 
+pub use brute_force::BruteForce;
+pub use facings::Facings;
 pub use hextree::{DEPTH as HEXTREE_DEPTH, Hextree};
 pub use plane_tree::PlaneTree;
 
@@ -25,31 +32,56 @@ pub struct SilhouetteEdge {
     pub multiplicity: i32,
 }
 
-/// Edges that one task asks at a time.
-const EDGES_PER_TASK: usize = 4096;
-
-/// The multiplicity of an edge, see [`SilhouetteEdge`]. `light` is homogeneous, as in [`facing()`](fn@facing).
-pub fn multiplicity(mesh: &Mesh, topology: &Topology, edge: Edge, light: Vec4) -> i32 {
-    let [a, b] = [edge.a, edge.b].map(|vertex| mesh.positions[vertex as usize]);
-    let opposites = topology.opposites_of(edge).iter();
-    opposites
-        .map(|&opposite| facing(a, b, mesh.positions[opposite as usize], light))
-        .sum()
+/// Which edges are on the silhouette of this mesh under this light.
+#[derive(Clone, Copy)]
+struct Question<'a> {
+    mesh: &'a Mesh,
+    topology: &'a Topology,
+    light: Vec4,
 }
 
-/// Asks every edge; the silhouette in ascending order of the edges.
-pub fn brute_force(mesh: &Mesh, topology: &Topology, light: Vec4) -> Vec<SilhouetteEdge> {
-    let edges = 0..topology.edges.len() as u32;
-    edges
-        .into_par_iter()
-        .with_min_len(EDGES_PER_TASK)
-        .filter_map(|edge| ask(mesh, topology, edge, light))
-        .collect()
+impl Question<'_> {
+    /// The multiplicity of an edge, by the facings of its triangles.
+    fn multiplicity(&self, edge: u32) -> i32 {
+        let Self {
+            mesh,
+            topology,
+            light,
+        } = self;
+        let edge = topology.edges[edge as usize];
+        let at = |vertex: u32| mesh.positions[vertex as usize];
+        let (a, b) = (at(edge.a), at(edge.b));
+        let facing = |opposite: &u32| facing(a, b, at(*opposite), *light);
+        topology.opposites_of(edge).iter().map(facing).sum()
+    }
+
+    fn ask(&self, edge: u32) -> Option<SilhouetteEdge> {
+        let multiplicity = self.multiplicity(edge);
+        (multiplicity != 0).then_some(SilhouetteEdge { edge, multiplicity })
+    }
 }
 
-fn ask(mesh: &Mesh, topology: &Topology, edge: u32, light: Vec4) -> Option<SilhouetteEdge> {
-    let multiplicity = multiplicity(mesh, topology, topology.edges[edge as usize], light);
-    (multiplicity != 0).then_some(SilhouetteEdge { edge, multiplicity })
+/// What `find` adds to the silhouette for each of some parts of a mesh, in their order; tasks get at least so many parts.
+fn in_parallel<'a, T: Sync>(
+    parts: &'a [T],
+    least: usize,
+    find: impl Fn(&'a T, &mut Vec<SilhouetteEdge>) + Sync,
+) -> Vec<SilhouetteEdge> {
+    let find = |mut found: Vec<_>, part| {
+        find(part, &mut found);
+        found
+    };
+    if parts.len() <= least {
+        return parts.iter().fold(Vec::new(), find);
+    }
+    let by_task = parts.par_iter().with_min_len(least).fold(Vec::new, find);
+    by_task.reduce(Vec::new, |mut found, mut more| {
+        if found.is_empty() {
+            return more;
+        }
+        found.append(&mut more);
+        found
+    })
 }
 
 #[cfg(test)]

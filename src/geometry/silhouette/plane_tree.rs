@@ -1,177 +1,190 @@
 //! Edges grouped by the planes of their triangles.
 //!
-//! Around the planes of each edge lies a box in four dimensions; edges are split in halves by the medians of these boxes'
-//! centres, down to leaves. A group whose box lies on one side of the light's hyperplane has no silhouette edge, and is
-//! skipped whole. Any mesh will do: what has no such box is asked for every light.
+//! Around the planes of each edge lies a box in four dimensions; edges are split in halves, eight by eight, by the
+//! centres of these boxes along the longest side, down to blocks of eight edges. A group whose box lies on one side of the
+//! light's hyperplane has no silhouette edge, and is skipped whole. Any mesh will do: what has no such box is asked for
+//! every light.
 
-use super::planes::{DualLight, Origin, PlaneBox};
-use super::{SilhouetteEdge, ask};
-use crate::geometry::{Bounds, Topology};
+use super::edge_block::EdgeBlock;
+use super::lanes::{Boxes, DualLight, LANES, OneBox, lanes_of};
+use super::planes::Origin;
+use super::{Question, SilhouetteEdge, in_parallel};
+use crate::geometry::Topology;
 use crate::scene::mesh::Mesh;
-use glam::{DVec3, Vec4};
+use glam::Vec4;
 use rayon::prelude::*;
 
-/// Most edges of a leaf.
-const LEAF_EDGES: usize = 16;
-/// Groups with more edges are split, and searched, by two tasks.
+/// Groups of more edges are split by two tasks.
 const EDGES_PER_TASK: usize = 8192;
+/// The nodes of one level are shared out among tasks if there are so many.
+const NODES_TO_SHARE: usize = 64;
 
 /// The edges of a mesh, in a tree over the planes of their triangles.
 pub struct PlaneTree {
     origin: Origin,
-    /// In depth-first order.
-    nodes: Vec<Node>,
-    /// Edges in the order of the leaves, then those that are always asked.
-    edges: Vec<u32>,
-    /// Where the latter begin.
-    always: usize,
-    /// The roots of parts that tasks search one by one, and how many nodes each has.
-    tasks: Vec<(u32, u32)>,
-}
-
-struct Node {
-    planes: PlaneBox,
-    /// How many nodes it has, with itself: so many to go on if it is skipped.
-    size: u32,
-    /// Its edges, if it is a leaf; else none.
-    first: u32,
-    count: u32,
+    /// The leaves.
+    blocks: Vec<EdgeBlock>,
+    /// Boxes around eight blocks, around eight of these, and so on; the last level is one node. Node `i` has nodes
+    /// or blocks `8 i` to `8 i + 7` of the level below.
+    levels: Vec<Vec<Boxes>>,
+    /// Boundary edges: on the silhouette for nearly every light.
+    boundary: Vec<EdgeBlock>,
+    /// All others.
+    always: Vec<u32>,
 }
 
 /// An edge while the tree is built.
 #[derive(Clone, Copy)]
 struct Item {
-    /// Weighed such that its components are equally important.
     centre: [f32; 4],
     edge: u32,
+}
+
+/// Edges by how they are asked.
+#[derive(Default)]
+struct Sorted {
+    items: Vec<Item>,
+    boundary: Vec<u32>,
+    always: Vec<u32>,
 }
 
 impl PlaneTree {
     /// Builds the tree, on all cores.
     pub fn build(mesh: &Mesh, topology: &Topology) -> Self {
-        let Bounds { low, high } = Bounds::of(&mesh.positions);
-        let origin = Origin(0.5 * (low + high));
-        // Lights are about as far away as the mesh is large, and a normal counts by that much.
-        let weights = DVec3::splat(0.5 * (high - low).length()).extend(1.0);
-        let boxes: Vec<Option<PlaneBox>> = topology
-            .edges
-            .par_iter()
-            .map(|edge| origin.planes(mesh, topology, *edge))
-            .collect();
-        let mut items = Vec::with_capacity(boxes.len());
-        let mut always = Vec::new();
-        for (edge, planes) in (0..).zip(&boxes) {
-            match planes {
-                Some(planes) => items.push(Item {
-                    centre: (weights * planes.centre()).as_vec4().to_array(),
-                    edge,
-                }),
-                None => always.push(edge),
-            }
-        }
-        let nodes = if items.is_empty() {
-            Vec::new()
-        } else {
-            split(&mut items, 0, &boxes)
-        };
-        let mut edges: Vec<u32> = items.iter().map(|item| item.edge).collect();
-        let leaf_edges = edges.len();
-        edges.append(&mut always);
-        let mut tree = Self {
+        let origin = Origin::of(mesh);
+        let Sorted {
+            mut items,
+            boundary,
+            always,
+        } = Sorted::new(mesh, topology, origin);
+        order(&mut items);
+        let (blocks, boxes): (Vec<_>, Vec<_>) = items
+            .par_chunks(LANES)
+            .map(|items| {
+                let edges = items.iter().map(|item| item.edge);
+                EdgeBlock::new(mesh, topology, origin, edges)
+            })
+            .unzip();
+        let boundary = boundary.par_chunks(LANES).map(|edges| {
+            EdgeBlock::of_boundary(edges.iter().map(|&number| {
+                let edge = topology.edges[number as usize];
+                let opposite = topology.opposites_of(edge)[0];
+                (number, origin.plane(mesh, edge, opposite))
+            }))
+        });
+        Self {
             origin,
-            nodes,
-            edges,
-            always: leaf_edges,
-            tasks: Vec::new(),
-        };
-        tree.tasks = tree.parts();
-        tree
+            levels: levels(boxes),
+            blocks,
+            boundary: boundary.collect(),
+            always,
+        }
     }
 
-    /// The silhouette, in ascending order of the edges: that of [`brute_force`](super::brute_force), bit for bit.
+    /// The silhouette: that of [`BruteForce`](super::BruteForce), bit for bit, in the order of the tree.
     pub fn silhouette(&self, mesh: &Mesh, topology: &Topology, light: Vec4) -> Vec<SilhouetteEdge> {
         let dual = &self.origin.light(light);
-        let asked = |edges: &[u32], found: &mut Vec<SilhouetteEdge>| {
-            found.extend(
-                edges
-                    .iter()
-                    .filter_map(|&edge| ask(mesh, topology, edge, light)),
-            );
+        let question = Question {
+            mesh,
+            topology,
+            light,
         };
-        let parts = self.tasks.par_iter().map(|&(root, size)| {
-            let mut found = Vec::new();
-            self.leaves(root..root + size, dual, |edges| asked(edges, &mut found));
-            found
-        });
-        let always = self.edges[self.always..]
-            .par_chunks(EDGES_PER_TASK)
-            .map(|edges| {
-                let mut found = Vec::new();
-                asked(edges, &mut found);
-                found
+        let shared = self.shared_level();
+        let nodes: Vec<_> = (0..self.levels.get(shared).map_or(0, Vec::len)).collect();
+        let mut found = in_parallel(&nodes, NODES_TO_SHARE / 8, |&node, found| {
+            self.visit(shared, node, dual, &mut |block| {
+                block.ask(question, dual, found)
             });
-        let mut found: Vec<SilhouetteEdge> = parts.chain(always).flatten_iter().collect();
-        found.par_sort_unstable();
+        });
+        found.append(&mut in_parallel(&self.boundary, 256, |block, found| {
+            block.ask_boundary(question, dual, found);
+        }));
+        found.append(&mut in_parallel(&self.always, 1024, |&edge, found| {
+            found.extend(question.ask(edge));
+        }));
         found
     }
 
     /// How many edges are asked for a light.
     pub fn asked(&self, light: Vec4) -> usize {
-        let (dual, mut asked) = (self.origin.light(light), self.edges.len() - self.always);
-        self.leaves(0..self.nodes.len() as u32, &dual, |edges| {
-            asked += edges.len();
-        });
+        let boundary = self.boundary.iter().flat_map(EdgeBlock::edges).count();
+        let mut asked = self.always.len() + boundary;
+        if let Some(top) = self.levels.len().checked_sub(1) {
+            self.visit(top, 0, &self.origin.light(light), &mut |block| {
+                asked += block.edges().count();
+            });
+        }
         asked
     }
 
-    /// Visits the leaves of a part whose planes may lie on both sides of the light's hyperplane.
-    fn leaves(&self, part: std::ops::Range<u32>, light: &DualLight, mut visit: impl FnMut(&[u32])) {
-        let mut at = part.start;
-        while at < part.end {
-            let node = &self.nodes[at as usize];
-            if node.planes.is_on_one_side(light) {
-                at += node.size;
-            } else {
-                let first = node.first as usize;
-                visit(&self.edges[first..first + node.count as usize]);
-                at += 1;
-            }
-        }
+    /// The highest level that has enough nodes for all tasks.
+    fn shared_level(&self) -> usize {
+        let has_enough = |level: &Vec<Boxes>| level.len() >= NODES_TO_SHARE;
+        self.levels
+            .iter()
+            .rposition(has_enough)
+            .unwrap_or_else(|| self.levels.len().saturating_sub(1))
     }
 
-    /// Cuts the tree into parts for tasks.
-    fn parts(&self) -> Vec<(u32, u32)> {
-        const LEAVES: usize = EDGES_PER_TASK / LEAF_EDGES;
-        let mut parts = Vec::new();
-        let mut at = 0;
-        while let Some(node) = self.nodes.get(at as usize) {
-            if node.size as usize <= 2 * LEAVES {
-                parts.push((at, node.size));
-                at += node.size;
-            } else {
-                // Its own box is not looked at: what is below will be.
-                at += 1;
+    /// Visits the blocks below a node whose planes may lie on both sides of the light's hyperplane.
+    fn visit(
+        &self,
+        level: usize,
+        node: usize,
+        light: &DualLight,
+        visit: &mut impl FnMut(&EdgeBlock),
+    ) {
+        let first = LANES * node;
+        for lane in lanes_of(self.levels[level][node].meeting(light)) {
+            if level > 0 {
+                if first + lane < self.levels[level - 1].len() {
+                    self.visit(level - 1, first + lane, light, visit);
+                }
+            } else if let Some(block) = self.blocks.get(first + lane) {
+                visit(block);
             }
         }
-        parts
     }
 }
 
-/// The nodes of a tree over `items`, whose first is to be the edge number `first` of the tree; orders them.
-fn split(items: &mut [Item], first: u32, boxes: &[Option<PlaneBox>]) -> Vec<Node> {
-    if items.len() <= LEAF_EDGES {
-        let planes = items
-            .iter()
-            .filter_map(|item| boxes[item.edge as usize].as_ref());
-        return vec![Node {
-            planes: planes.fold(PlaneBox::EMPTY, |all, planes| all.union(planes)),
-            size: 1,
-            first,
-            count: items.len() as u32,
-        }];
+impl Sorted {
+    fn new(mesh: &Mesh, topology: &Topology, origin: Origin) -> Self {
+        let of_task = |task: usize| {
+            let mut sorted = Self::default();
+            let edges = topology.edges.iter().zip(0..).skip(task * EDGES_PER_TASK);
+            for (&edge, number) in edges.take(EDGES_PER_TASK) {
+                match origin.planes(mesh, topology, edge) {
+                    Some(planes) => sorted.items.push(Item {
+                        centre: origin.centre(&planes).to_array(),
+                        edge: number,
+                    }),
+                    None if edge.opposite_count == 1 => sorted.boundary.push(number),
+                    None => sorted.always.push(number),
+                }
+            }
+            sorted
+        };
+        let tasks = topology.edges.len().div_ceil(EDGES_PER_TASK);
+        let tasks: Vec<Self> = (0..tasks).into_par_iter().map(of_task).collect();
+        let mut all = Self::default();
+        for task in tasks {
+            all.items.extend(task.items);
+            all.boundary.extend(task.boundary);
+            all.always.extend(task.always);
+        }
+        all
+    }
+}
+
+/// Orders edges such that those of a block are together, blocks of a node, and so on up: halves as the levels have them.
+fn order(items: &mut [Item]) {
+    let blocks = items.len().div_ceil(LANES);
+    if blocks <= 1 {
+        return;
     }
     let axis = longest_axis(items);
-    let middle = items.len() / 2;
+    // The first half has a whole number of nodes of every level that it reaches.
+    let middle = LANES * blocks.next_power_of_two() / 2;
     items.select_nth_unstable_by(middle, |one, other| {
         // The edge breaks ties, so that the tree does not depend on how it was partitioned.
         let order = one.centre[axis].total_cmp(&other.centre[axis]);
@@ -179,22 +192,12 @@ fn split(items: &mut [Item], first: u32, boxes: &[Option<PlaneBox>]) -> Vec<Node
     });
     let is_large = items.len() > EDGES_PER_TASK;
     let (left, right) = items.split_at_mut(middle);
-    let second = first + left.len() as u32;
-    let (left, right) = if is_large {
-        rayon::join(|| split(left, first, boxes), || split(right, second, boxes))
+    if is_large {
+        rayon::join(|| order(left), || order(right));
     } else {
-        (split(left, first, boxes), split(right, second, boxes))
-    };
-    let mut nodes = Vec::with_capacity(1 + left.len() + right.len());
-    nodes.push(Node {
-        planes: left[0].planes.union(&right[0].planes),
-        size: (1 + left.len() + right.len()) as u32,
-        first,
-        count: 0,
-    });
-    nodes.extend(left);
-    nodes.extend(right);
-    nodes
+        order(left);
+        order(right);
+    }
 }
 
 fn longest_axis(items: &[Item]) -> usize {
@@ -204,4 +207,18 @@ fn longest_axis(items: &[Item]) -> usize {
         |(low, high), centre| (low.min(centre), high.max(centre)),
     );
     (high - low).max_position()
+}
+
+/// The levels over blocks with these boxes.
+fn levels(mut boxes: Vec<OneBox>) -> Vec<Vec<Boxes>> {
+    let mut levels = Vec::new();
+    while !boxes.is_empty() {
+        levels.push(boxes.par_chunks(LANES).map(Boxes::new).collect::<Vec<_>>());
+        if boxes.len() <= LANES {
+            break;
+        }
+        let around = |boxes: &[OneBox]| boxes.iter().copied().fold(OneBox::EMPTY, OneBox::union);
+        boxes = boxes.par_chunks(LANES).map(around).collect();
+    }
+    levels
 }

@@ -3,45 +3,61 @@
 //! A light `L` (homogeneous) and the plane `q` = (unit normal, -normal · point) of a triangle give `q · L`, the distance of
 //! the light from the plane; its sign is the triangle's facing, wherever the distance is larger than rounding. So if all
 //! planes of an edge lie on one side of the hyperplane `q · L = 0`, all its triangles have the same facing.
+//!
+//! Planes are found in 64 bits, and kept and held against a light in 32.
 
-use crate::geometry::{Edge, Topology};
+use super::lanes::DualLight;
+use crate::geometry::{Bounds, Edge, Topology};
 use crate::scene::mesh::Mesh;
-use glam::{DVec3, DVec4, Vec4};
-
-/// A facing is found in 32 bits by up to eight roundings, of 2⁻²⁴ each; the rest is for our own in 64 bits.
-const ROUNDING: f64 = 10.0 / (1u64 << 24) as f64;
+use glam::{DVec2, DVec3, DVec4, Vec2, Vec4};
 
 /// Edges with more triangles are always asked.
 const MAX_TRIANGLES: usize = 64;
 
 /// Where planes are measured from: close to the mesh, so that distances keep their digits.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Origin(pub(super) DVec3);
-
-/// A light as a hyperplane.
-pub(super) struct DualLight {
-    light: DVec4,
-    /// Its components without signs: what rounding grows with.
-    size: DVec4,
+pub(super) struct Origin {
+    place: DVec3,
+    /// Lights are about as far away as the mesh is large, and a normal counts by that much.
+    radius: f64,
 }
 
-/// A box around planes.
+/// A box around planes, and how much rounding there is in a distance from one of them.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct PlaneBox {
     pub(super) low: DVec4,
     pub(super) high: DVec4,
-    /// With a light's `size`: how far rounding reaches, in units of [`ROUNDING`].
-    pub(super) doubt: DVec4,
+    /// By so much rounding grows with the light's place, and with its `w`: not less than any component of the planes, and
+    /// than those of the last.
+    pub(super) doubt: DVec2,
 }
 
 impl Origin {
+    /// That of the mesh's own coordinates.
+    pub(super) const WORLD: Self = Self {
+        place: DVec3::ZERO,
+        radius: 1.0,
+    };
+
+    /// The middle of a mesh.
+    pub(super) fn of(mesh: &Mesh) -> Self {
+        let Bounds { low, high } = Bounds::of(&mesh.positions);
+        Self {
+            place: 0.5 * (low + high),
+            radius: 0.5 * (high - low).length(),
+        }
+    }
+
     pub(super) fn light(self, light: Vec4) -> DualLight {
         let light = light.as_dvec4();
-        let light = (light.truncate() - light.w * self.0).extend(light.w);
-        DualLight {
-            light,
-            size: light.abs(),
-        }
+        DualLight::new((light.truncate() - light.w * self.place).extend(light.w))
+    }
+
+    /// The plane of the triangle of an edge and one of its opposite vertices, positive where the light sees the
+    /// triangle on the left of the edge; `None` if it has none.
+    pub(super) fn plane(self, mesh: &Mesh, edge: Edge, opposite: u32) -> Option<PlaneBox> {
+        let at = |vertex: u32| mesh.positions[vertex as usize].as_dvec3() - self.place;
+        PlaneBox::of(at(edge.a), at(edge.b), at(opposite))
     }
 
     /// The planes of an edge's two triangles, the second turned around; `None` if it has not two with a plane.
@@ -54,10 +70,8 @@ impl Origin {
         let &[first, second] = topology.opposites_of(edge) else {
             return None;
         };
-        let at = |vertex: u32| mesh.positions[vertex as usize].as_dvec3() - self.0;
-        let (a, b) = (at(edge.a), at(edge.b));
-        let other = PlaneBox::of(a, b, at(second))?.turned();
-        Some([PlaneBox::of(a, b, at(first))?, other])
+        let first = self.plane(mesh, edge, first)?;
+        Some([first, self.plane(mesh, edge, second)?.turned()])
     }
 
     /// The planes of an edge's triangles, half of them turned around: such that the facings along the edge cancel
@@ -69,19 +83,18 @@ impl Origin {
         if !is_even || opposites.len() > MAX_TRIANGLES {
             return None;
         }
-        let at = |vertex: u32| mesh.positions[vertex as usize].as_dvec3() - self.0;
-        let (a, b) = (at(edge.a), at(edge.b));
         if let Some([one, other]) = self.pair(mesh, topology, edge) {
             return Some(one.union(&other));
         }
         let planes = opposites
             .iter()
-            .map(|&opposite| PlaneBox::of(a, b, at(opposite)));
+            .map(|&opposite| self.plane(mesh, edge, opposite));
         let mut planes = planes.collect::<Option<Vec<_>>>()?;
         // The planes turn about the edge. A light sees as many from either side if it lies between those of one half
         // turn and the others; which half turn leaves the most room for it is tried out.
+        let at = |vertex: u32| mesh.positions[vertex as usize].as_dvec3();
         let first = planes[0].low.truncate();
-        let across = first.cross((b - a).normalize());
+        let across = first.cross((at(edge.b) - at(edge.a)).normalize());
         let angle = |plane: &PlaneBox| {
             let normal = plane.low.truncate();
             normal.dot(across).atan2(normal.dot(first))
@@ -104,16 +117,15 @@ impl Origin {
             .flatten()
             .min_by(|one, other| extent(one).total_cmp(&extent(other)))
     }
+
+    /// The middle of a box, weighed such that its components are equally important.
+    pub(super) fn centre(self, planes: &PlaneBox) -> Vec4 {
+        let weights = DVec3::splat(self.radius).extend(1.0);
+        (0.5 * weights * (planes.low + planes.high)).as_vec4()
+    }
 }
 
 impl PlaneBox {
-    /// Around no plane.
-    pub(super) const EMPTY: Self = Self {
-        low: DVec4::INFINITY,
-        high: DVec4::NEG_INFINITY,
-        doubt: DVec4::ZERO,
-    };
-
     /// The plane of a triangle, positive where it looks counter-clockwise; `None` if it has none.
     fn of(a: DVec3, b: DVec3, c: DVec3) -> Option<Self> {
         let normal = (b - a).cross(c - a);
@@ -132,12 +144,12 @@ impl PlaneBox {
         Some(Self {
             low: plane,
             high: plane,
-            doubt: products.extend(products.dot(far)),
+            doubt: DVec2::new(products.max_element(), products.dot(far)),
         })
     }
 
     /// With the other sides for positive.
-    fn turned(&self) -> Self {
+    pub(super) fn turned(&self) -> Self {
         Self {
             low: -self.high,
             high: -self.low,
@@ -163,17 +175,9 @@ impl PlaneBox {
         }
     }
 
-    pub(super) fn centre(&self) -> DVec4 {
-        0.5 * (self.low + self.high)
-    }
-
-    /// Whether all planes are on one side of the light's hyperplane, beyond all rounding. Two corners decide, picked by
-    /// the signs of the light's components (Wallner 2006, section 2.1).
-    pub(super) fn is_on_one_side(&self, light: &DualLight) -> bool {
-        let (at_low, at_high) = (self.low * light.light, self.high * light.light);
-        let least = at_low.min(at_high).element_sum();
-        let most = at_low.max(at_high).element_sum();
-        let doubt = ROUNDING * self.doubt.dot(light.size);
-        least > doubt || most < -doubt
+    /// Its doubt in 32 bits, not less.
+    pub(super) fn doubt32(&self) -> Vec2 {
+        const UP: f64 = 1.0 + 2.0 * f32::EPSILON as f64;
+        (UP * self.doubt).as_vec2()
     }
 }

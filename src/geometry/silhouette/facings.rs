@@ -1,0 +1,97 @@
+//! Which side of each triangle of a mesh the light is on.
+
+use super::lanes::{LANES, Lanes};
+use crate::geometry::vertex_less;
+use crate::scene::mesh::Mesh;
+use glam::{Vec3, Vec4};
+use rayon::prelude::*;
+
+/// Triangles of one task.
+const TRIANGLES_PER_TASK: usize = 4096;
+
+/// Finds the facings of all triangles of a mesh, see [`facing`](fn@crate::geometry::facing): bit for bit its answers.
+/// What of them does not depend on the light is found beforehand, and they are computed some at a time.
+pub struct Facings {
+    /// Vertices of each triangle in the vertex order.
+    sorted: Vec<[u32; 3]>,
+    /// 1 if that is the triangle's own winding, -1 if it is the other one, 0 if two vertices are equal.
+    parity: Vec<i8>,
+}
+
+impl Facings {
+    /// Sorts the vertices of all triangles.
+    pub fn new(mesh: &Mesh) -> Self {
+        let of_triangle = |&triangle: &[u32; 3]| sorted(mesh, triangle);
+        let (sorted, parity) = mesh.triangles.par_iter().map(of_triangle).unzip();
+        Self { sorted, parity }
+    }
+
+    /// Writes the facings for a light to `facings`, as many as there are triangles.
+    pub fn find(&self, mesh: &Mesh, light: Vec4, facings: &mut [i8]) {
+        let tasks = facings
+            .par_chunks_mut(TRIANGLES_PER_TASK)
+            .zip(self.sorted.par_chunks(TRIANGLES_PER_TASK))
+            .zip(self.parity.par_chunks(TRIANGLES_PER_TASK));
+        tasks.for_each(|((facings, sorted), parity)| {
+            let groups = facings
+                .chunks_mut(LANES)
+                .zip(sorted.chunks(LANES))
+                .zip(parity.chunks(LANES));
+            for ((facings, sorted), parity) in groups {
+                let sides = sides(mesh, sorted, light);
+                for ((facing, side), parity) in facings.iter_mut().zip(sides).zip(parity) {
+                    *facing = side * parity;
+                }
+            }
+        });
+    }
+}
+
+fn sorted(mesh: &Mesh, triangle: [u32; 3]) -> ([u32; 3], i8) {
+    let at = |vertex: u32| mesh.positions[vertex as usize];
+    let ([mut a, mut b, mut c], mut parity) = (triangle, 1);
+    let mut order = |one: &mut u32, other: &mut u32| {
+        if vertex_less(at(*other), at(*one)) {
+            std::mem::swap(one, other);
+            parity = -parity;
+        }
+    };
+    order(&mut a, &mut b);
+    order(&mut b, &mut c);
+    order(&mut a, &mut b);
+    if at(a) == at(b) || at(b) == at(c) {
+        parity = 0;
+    }
+    ([a, b, c], parity)
+}
+
+/// The facings of up to eight triangles whose vertices are in the vertex order: on which side of the light plane through
+/// the reference edge the middle vertex lies. Operation for operation as `light_plane_side` has it.
+fn sides(mesh: &Mesh, sorted: &[[u32; 3]], light: Vec4) -> [i8; LANES] {
+    let corner = |number: usize| {
+        let mut xyz = [[0.0; LANES]; 3];
+        for (lane, triangle) in sorted.iter().enumerate() {
+            let Vec3 { x, y, z } = mesh.positions[triangle[number] as usize];
+            (xyz[0][lane], xyz[1][lane], xyz[2][lane]) = (x, y, z);
+        }
+        xyz
+    };
+    let (a, b, c) = (corner(0), corner(1), corner(2));
+    let minus = |p: &[Lanes; 3], q: &[Lanes; 3]| -> [Lanes; 3] {
+        std::array::from_fn(|axis| std::array::from_fn(|i| p[axis][i] - q[axis][i]))
+    };
+    let x = minus(&c, &a);
+    let of: [f32; 3] = light.truncate().to_array();
+    let y: [Lanes; 3] =
+        std::array::from_fn(|axis| std::array::from_fn(|i| of[axis] - a[axis][i] * light.w));
+    let e = minus(&b, &a);
+    let d: Lanes = std::array::from_fn(|i| {
+        let n = [
+            x[1][i] * y[2][i] - x[2][i] * y[1][i],
+            x[2][i] * y[0][i] - x[0][i] * y[2][i],
+            x[0][i] * y[1][i] - x[1][i] * y[0][i],
+        ];
+        n[0] * e[0][i] + n[1] * e[1][i] + n[2] * e[2][i]
+    });
+    d.map(|d| i8::from(d > 0.0) - i8::from(d < 0.0))
+}
