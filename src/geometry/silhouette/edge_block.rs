@@ -1,11 +1,8 @@
 //! Edges eight at a time, with the planes of their triangles.
 
-use super::lanes::{Doubts, DualLight, LANES, OneBox, Points, lanes_of, mask};
-use super::planes::{Origin, PlaneBox};
+use super::lanes::{Doubts, DualLight, LANES, Points, lanes_of, mask};
+use super::planes::{EdgeKind, EdgePlanes};
 use super::{Question, SilhouetteEdge};
-use crate::geometry::Topology;
-use crate::scene::mesh::Mesh;
-use glam::Vec2;
 
 /// Where a lane has no edge.
 const NO_EDGE: u32 = u32::MAX;
@@ -21,60 +18,23 @@ pub(super) struct EdgeBlock {
 }
 
 impl EdgeBlock {
-    /// Of at most [`LANES`] edges with [`Origin::planes`], and the box around these.
-    pub(super) fn new(
-        mesh: &Mesh,
-        topology: &Topology,
-        origin: Origin,
-        edges: impl Iterator<Item = u32>,
-    ) -> (Self, OneBox) {
-        let mut block = Self::empty();
-        let mut around = OneBox::EMPTY;
-        for (lane, number) in edges.enumerate() {
-            block.edges[lane] = number;
-            let edge = topology.edges[number as usize];
-            let planes = match origin.pair(mesh, topology, edge) {
-                Some([first, second]) => {
-                    block.set(lane, &first, &second);
-                    Some(first.union(&second))
-                }
-                None => origin.planes(mesh, topology, edge),
-            };
-            around = planes.iter().map(OneBox::from).fold(around, OneBox::union);
-        }
-        (block, around)
-    }
-
-    /// Of at most [`LANES`] edges with one triangle each: their numbers and the planes of these, if they have any.
-    pub(super) fn of_boundary(edges: impl Iterator<Item = (u32, Option<PlaneBox>)>) -> Self {
-        let mut block = Self::empty();
-        for (lane, (number, plane)) in edges.enumerate() {
-            block.edges[lane] = number;
-            if let Some(plane) = plane {
-                block.set(lane, &plane, &plane);
-            }
-        }
-        block
-    }
-
-    /// All is in doubt.
-    fn empty() -> Self {
+    /// Of at most [`LANES`] edges: their numbers and planes.
+    pub(super) fn new<'a>(edges: impl Iterator<Item = (u32, &'a EdgePlanes)>) -> Self {
         let mut block = Self {
             first: Points::default(),
             second: Points::default(),
-            doubt: Doubts::default(),
+            doubt: Doubts::ALL,
             edges: [NO_EDGE; LANES],
         };
-        for lane in 0..LANES {
-            block.doubt.set(lane, Vec2::INFINITY);
+        for (lane, (number, planes)) in edges.enumerate() {
+            block.edges[lane] = number;
+            if matches!(planes.kind, EdgeKind::Pair | EdgeKind::Boundary) {
+                block.first.set(lane, planes.points[0]);
+                block.second.set(lane, planes.points[1]);
+                block.doubt.set(lane, planes.doubt);
+            }
         }
         block
-    }
-
-    fn set(&mut self, lane: usize, first: &PlaneBox, second: &PlaneBox) {
-        self.first.set(lane, first.low.as_vec4());
-        self.second.set(lane, second.low.as_vec4());
-        self.doubt.set(lane, first.doubt32().max(second.doubt32()));
     }
 
     /// The numbers of its edges.

@@ -81,8 +81,12 @@ impl Hextree {
         let cubes = cubes.collect();
         let chunks = new.par_iter().flat_map(|cube| cube.edges.par_chunks(LANES));
         let blocks = chunks.map(|edges| {
-            let edges = edges.iter().copied();
-            EdgeBlock::new(mesh, topology, Origin::WORLD, edges).0
+            let of_edge = |&edge: &u32| {
+                let own = topology.edges[edge as usize];
+                (edge, Origin::WORLD.of_edge(mesh, topology, own))
+            };
+            let planes: Vec<_> = edges.iter().map(of_edge).collect();
+            EdgeBlock::new(planes.iter().map(|(edge, planes)| (*edge, planes)))
         });
         Self {
             cubes,

@@ -2,7 +2,7 @@
 //!
 //! What these say is certain or left open, never wrong: see [`ROUNDING`].
 
-use super::planes::PlaneBox;
+use super::planes::{EdgePlanes, PlaneBox};
 use glam::{DVec4, Vec2, Vec4};
 
 /// How many there are at a time.
@@ -62,6 +62,9 @@ fn distances([x, y, z, w]: [&Lanes; 4], light: &DualLight) -> Lanes {
 pub(super) struct Doubts([Lanes; 2]);
 
 impl Doubts {
+    /// Nothing is certain.
+    pub(super) const ALL: Self = Self([[f32::INFINITY; LANES]; 2]);
+
     pub(super) fn set(&mut self, lane: usize, doubt: Vec2) {
         self.0[0][lane] = doubt.x;
         self.0[1][lane] = doubt.y;
@@ -95,6 +98,17 @@ impl OneBox {
             low: self.low.min(other.low),
             high: self.high.max(other.high),
             doubt: self.doubt.max(other.doubt),
+        }
+    }
+}
+
+impl From<&EdgePlanes> for OneBox {
+    fn from(planes: &EdgePlanes) -> Self {
+        let [one, other] = planes.points;
+        Self {
+            low: one.min(other),
+            high: one.max(other),
+            doubt: planes.doubt,
         }
     }
 }

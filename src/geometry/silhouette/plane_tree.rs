@@ -7,9 +7,9 @@
 
 use super::edge_block::EdgeBlock;
 use super::lanes::{Boxes, DualLight, LANES, OneBox, lanes_of};
-use super::planes::Origin;
+use super::planes::{EdgeKind, EdgePlanes, Origin};
 use super::{Question, SilhouetteEdge, in_parallel};
-use crate::geometry::Topology;
+use crate::geometry::{Edge, Topology};
 use crate::scene::mesh::Mesh;
 use glam::Vec4;
 use rayon::prelude::*;
@@ -40,43 +40,45 @@ struct Item {
     edge: u32,
 }
 
-/// Edges by how they are asked.
-#[derive(Default)]
-struct Sorted {
-    items: Vec<Item>,
-    boundary: Vec<u32>,
-    always: Vec<u32>,
-}
-
 impl PlaneTree {
     /// Builds the tree, on all cores.
     pub fn build(mesh: &Mesh, topology: &Topology) -> Self {
         let origin = Origin::of(mesh);
-        let Sorted {
-            mut items,
-            boundary,
-            always,
-        } = Sorted::new(mesh, topology, origin);
+        let of_edge = |edge: &Edge| origin.of_edge(mesh, topology, *edge);
+        let planes: Vec<EdgePlanes> = topology.edges.par_iter().map(of_edge).collect();
+        let (mut items, mut boundary, mut always) = (Vec::new(), Vec::new(), Vec::new());
+        items.reserve(planes.len());
+        for (planes, edge) in planes.iter().zip(0..) {
+            match planes.kind {
+                EdgeKind::Pair | EdgeKind::Box => items.push(Item {
+                    centre: origin.centre(planes).to_array(),
+                    edge,
+                }),
+                EdgeKind::Boundary => boundary.push(edge),
+                EdgeKind::Unknown => always.push(edge),
+            }
+        }
         order(&mut items);
-        let (blocks, boxes): (Vec<_>, Vec<_>) = items
-            .par_chunks(LANES)
-            .map(|items| {
-                let edges = items.iter().map(|item| item.edge);
-                EdgeBlock::new(mesh, topology, origin, edges)
-            })
-            .unzip();
-        let boundary = boundary.par_chunks(LANES).map(|edges| {
-            EdgeBlock::of_boundary(edges.iter().map(|&number| {
-                let edge = topology.edges[number as usize];
-                let opposite = topology.opposites_of(edge)[0];
-                (number, origin.plane(mesh, edge, opposite))
-            }))
-        });
+        let of_edges = |edges: &[u32]| {
+            let planes_of = |&edge: &u32| (edge, &planes[edge as usize]);
+            EdgeBlock::new(edges.iter().map(planes_of))
+        };
+        let of_items = |items: &[Item]| {
+            let planes = items
+                .iter()
+                .map(|item| (item.edge, &planes[item.edge as usize]));
+            let boxes = planes.clone().map(|(_, planes)| OneBox::from(planes));
+            (
+                EdgeBlock::new(planes),
+                boxes.fold(OneBox::EMPTY, OneBox::union),
+            )
+        };
+        let (blocks, boxes): (Vec<_>, Vec<_>) = items.par_chunks(LANES).map(of_items).unzip();
         Self {
             origin,
             levels: levels(boxes),
             blocks,
-            boundary: boundary.collect(),
+            boundary: boundary.chunks(LANES).map(of_edges).collect(),
             always,
         }
     }
@@ -147,35 +149,6 @@ impl PlaneTree {
     }
 }
 
-impl Sorted {
-    fn new(mesh: &Mesh, topology: &Topology, origin: Origin) -> Self {
-        let of_task = |task: usize| {
-            let mut sorted = Self::default();
-            let edges = topology.edges.iter().zip(0..).skip(task * EDGES_PER_TASK);
-            for (&edge, number) in edges.take(EDGES_PER_TASK) {
-                match origin.planes(mesh, topology, edge) {
-                    Some(planes) => sorted.items.push(Item {
-                        centre: origin.centre(&planes).to_array(),
-                        edge: number,
-                    }),
-                    None if edge.opposite_count == 1 => sorted.boundary.push(number),
-                    None => sorted.always.push(number),
-                }
-            }
-            sorted
-        };
-        let tasks = topology.edges.len().div_ceil(EDGES_PER_TASK);
-        let tasks: Vec<Self> = (0..tasks).into_par_iter().map(of_task).collect();
-        let mut all = Self::default();
-        for task in tasks {
-            all.items.extend(task.items);
-            all.boundary.extend(task.boundary);
-            all.always.extend(task.always);
-        }
-        all
-    }
-}
-
 /// Orders edges such that those of a block are together, blocks of a node, and so on up: halves as the levels have them.
 fn order(items: &mut [Item]) {
     let blocks = items.len().div_ceil(LANES);
@@ -186,9 +159,7 @@ fn order(items: &mut [Item]) {
     // The first half has a whole number of nodes of every level that it reaches.
     let middle = LANES * blocks.next_power_of_two() / 2;
     items.select_nth_unstable_by(middle, |one, other| {
-        // The edge breaks ties, so that the tree does not depend on how it was partitioned.
-        let order = one.centre[axis].total_cmp(&other.centre[axis]);
-        order.then(one.edge.cmp(&other.edge))
+        one.centre[axis].total_cmp(&other.centre[axis])
     });
     let is_large = items.len() > EDGES_PER_TASK;
     let (left, right) = items.split_at_mut(middle);

@@ -9,7 +9,7 @@
 use super::lanes::DualLight;
 use crate::geometry::{Bounds, Edge, Topology};
 use crate::scene::mesh::Mesh;
-use glam::{DVec2, DVec3, DVec4, Vec2, Vec4};
+use glam::{DVec2, DVec3, DVec4, Vec2, Vec3, Vec4};
 
 /// Edges with more triangles are always asked.
 const MAX_TRIANGLES: usize = 64;
@@ -30,6 +30,30 @@ pub(super) struct PlaneBox {
     /// By so much rounding grows with the light's place, and with its `w`: not less than any component of the planes, and
     /// than those of the last.
     pub(super) doubt: DVec2,
+}
+
+/// What is known of an edge by the planes of its triangles, in 32 bits.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct EdgePlanes {
+    pub(super) kind: EdgeKind,
+    /// Of two triangles, the second turned around; else the corners of a box; of a boundary edge, the one plane twice.
+    pub(super) points: [Vec4; 2],
+    /// See [`PlaneBox::doubt`].
+    pub(super) doubt: Vec2,
+}
+
+/// Edges by what their planes tell.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum EdgeKind {
+    /// Two triangles with a plane each.
+    Pair,
+    /// More triangles, half of whose planes were turned around: such that the facings along the edge cancel wherever all
+    /// these planes are on one side of the light's hyperplane.
+    Box,
+    /// One triangle, with a plane: on the silhouette for nearly every light.
+    Boundary,
+    /// Nothing: its facings can hardly cancel, or a triangle has no plane.
+    Unknown,
 }
 
 impl Origin {
@@ -74,18 +98,27 @@ impl Origin {
         Some([first, self.plane(mesh, edge, second)?.turned()])
     }
 
-    /// The planes of an edge's triangles, half of them turned around: such that the facings along the edge cancel
-    /// wherever all these planes are on one side of the light's hyperplane. `None` for an edge that must always be
-    /// asked, since its facings can hardly cancel or a triangle has no plane.
-    pub(super) fn planes(self, mesh: &Mesh, topology: &Topology, edge: Edge) -> Option<PlaneBox> {
+    /// What the planes of an edge's triangles tell of it.
+    pub(super) fn of_edge(self, mesh: &Mesh, topology: &Topology, edge: Edge) -> EdgePlanes {
         let opposites = topology.opposites_of(edge);
-        let is_even = opposites.len().is_multiple_of(2) && !opposites.is_empty();
-        if !is_even || opposites.len() > MAX_TRIANGLES {
-            return None;
-        }
-        if let Some([one, other]) = self.pair(mesh, topology, edge) {
-            return Some(one.union(&other));
-        }
+        let is_even = opposites.len().is_multiple_of(2);
+        let known = match opposites {
+            [opposite] => self
+                .plane(mesh, edge, *opposite)
+                .map(|plane| EdgePlanes::new(EdgeKind::Boundary, &plane, &plane)),
+            [_, _] => self
+                .pair(mesh, topology, edge)
+                .map(|[one, other]| EdgePlanes::new(EdgeKind::Pair, &one, &other)),
+            _ if is_even && opposites.len() <= MAX_TRIANGLES => self
+                .halves(mesh, edge, opposites)
+                .map(|planes| EdgePlanes::new(EdgeKind::Box, &planes, &planes)),
+            _ => None,
+        };
+        known.unwrap_or(EdgePlanes::UNKNOWN)
+    }
+
+    /// A box around the planes of an even number of triangles, half of them turned around.
+    fn halves(self, mesh: &Mesh, edge: Edge, opposites: &[u32]) -> Option<PlaneBox> {
         let planes = opposites
             .iter()
             .map(|&opposite| self.plane(mesh, edge, opposite));
@@ -118,10 +151,26 @@ impl Origin {
             .min_by(|one, other| extent(one).total_cmp(&extent(other)))
     }
 
-    /// The middle of a box, weighed such that its components are equally important.
-    pub(super) fn centre(self, planes: &PlaneBox) -> Vec4 {
-        let weights = DVec3::splat(self.radius).extend(1.0);
-        (0.5 * weights * (planes.low + planes.high)).as_vec4()
+    /// The middle of an edge's planes, weighed such that its components are equally important.
+    pub(super) fn centre(self, planes: &EdgePlanes) -> Vec4 {
+        let weights = Vec3::splat(self.radius as f32).extend(1.0);
+        weights * (planes.points[0] + planes.points[1])
+    }
+}
+
+impl EdgePlanes {
+    const UNKNOWN: Self = Self {
+        kind: EdgeKind::Unknown,
+        points: [Vec4::ZERO; 2],
+        doubt: Vec2::INFINITY,
+    };
+
+    fn new(kind: EdgeKind, one: &PlaneBox, other: &PlaneBox) -> Self {
+        Self {
+            kind,
+            points: [one.low.as_vec4(), other.high.as_vec4()],
+            doubt: one.doubt32().max(other.doubt32()),
+        }
     }
 }
 
@@ -134,11 +183,12 @@ impl PlaneBox {
         if length == 0.0 {
             return None;
         }
-        let normal = normal / length;
+        let per_length = length.recip();
+        let normal = per_length * normal;
         // Of three edges any two may be those that the facing is found with.
         let edges = (b - a).abs().max((c - b).abs()).max((a - c).abs());
         let products = DVec3::new(edges.y * edges.z, edges.z * edges.x, edges.x * edges.y);
-        let products = 2.0 * products / length;
+        let products = 2.0 * per_length * products;
         let far = a.abs().max(b.abs()).max(c.abs());
         let plane = normal.extend(-normal.dot(a));
         Some(Self {
