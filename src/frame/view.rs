@@ -82,6 +82,27 @@ impl FrameView {
         }
     }
 
+    /// A box around the near rectangle.
+    pub fn near_rectangle(&self) -> Bounds {
+        let [first, rest @ ..] = self.near_corners;
+        let corner = |corner| Bounds {
+            low: corner,
+            high: corner,
+        };
+        rest.into_iter()
+            .map(corner)
+            .fold(corner(first), Bounds::union)
+    }
+
+    /// Whether all of a box is farther from the eye than the near plane. Errs to false.
+    pub fn is_beyond_near_plane(&self, bounds: Bounds) -> bool {
+        let [near, distance] = [2, 3].map(|row| self.view_projection.row(row).as_dvec4());
+        let axis = distance.truncate();
+        let size = bounds.low.abs().max(bounds.high.abs()).max_element();
+        let least = bounds.range_along(axis).0 + distance.w;
+        least > near.w + NEAR_MARGIN * (near.w + size * f64::from(f32::EPSILON).sqrt())
+    }
+
     /// The near volume of this view and light.
     pub fn near_volume(&self) -> NearVolume {
         NearVolume::new(self.near_corners, self.light.place)

@@ -40,6 +40,14 @@ impl Bounds {
         self.low.cmpgt(self.high).any()
     }
 
+    /// Whether the two have a point in common, or nearly so, as far as single precision can tell.
+    pub fn may_meet(self, other: Self) -> bool {
+        let largest =
+            [self, other].map(|bounds| bounds.low.abs().max(bounds.high.abs()).max_element());
+        let margin = 4.0 * f64::from(f32::EPSILON) * largest[0].max(largest[1]);
+        (self.low - margin).cmple(other.high).all() && (other.low - margin).cmple(self.high).all()
+    }
+
     /// The boxes of all objects of a mesh, in their order.
     pub fn of_objects(mesh: &Mesh) -> Vec<Self> {
         let bounds = |vertices| Self::of(&mesh.positions[vertices]);

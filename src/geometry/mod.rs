@@ -2,6 +2,7 @@
 //! to reach.
 
 pub mod bounds;
+pub mod edge_triangles;
 pub mod end_plane;
 pub mod facing;
 pub mod near_volume;
@@ -9,6 +10,7 @@ pub mod silhouette;
 pub mod topology;
 
 pub use bounds::Bounds;
+pub use edge_triangles::{EdgeTriangle, EdgeTriangles};
 pub use end_plane::end_plane;
 pub use facing::{Determinism, facing, vertex_less};
 pub use near_volume::NearVolume;

@@ -18,7 +18,30 @@ impl Gpu {
         contents: &[u8],
         usage: wgpu::BufferUsages,
     ) -> Result<wgpu::Buffer, DeviceError> {
-        let size = (contents.len() as u64).max(16);
+        self.new_buffer(label, contents.len() as u64, usage, Some(contents))
+    }
+
+    /// A buffer of at least so many bytes, which are 0.
+    ///
+    /// # Errors
+    /// When the device cannot hold or bind so much.
+    pub fn empty_buffer(
+        &self,
+        label: &str,
+        bytes: u64,
+        usage: wgpu::BufferUsages,
+    ) -> Result<wgpu::Buffer, DeviceError> {
+        self.new_buffer(label, bytes, usage, None)
+    }
+
+    fn new_buffer(
+        &self,
+        label: &str,
+        bytes: u64,
+        usage: wgpu::BufferUsages,
+        contents: Option<&[u8]>,
+    ) -> Result<wgpu::Buffer, DeviceError> {
+        let size = bytes.max(16);
         let size = size.next_multiple_of(wgpu::COPY_BUFFER_ALIGNMENT);
         self.check_buffer(label, size, usage)?;
         self.attempt(|| {
@@ -26,13 +49,15 @@ impl Gpu {
                 label: Some(label),
                 size,
                 usage,
-                mapped_at_creation: true,
+                mapped_at_creation: contents.is_some(),
             });
-            // Where there is no range, the device has told why.
-            if let Ok(mut range) = buffer.get_mapped_range_mut(..) {
-                range.slice(..contents.len()).copy_from_slice(contents);
+            if let Some(contents) = contents {
+                // Where there is no range, the device has told why.
+                if let Ok(mut range) = buffer.get_mapped_range_mut(..) {
+                    range.slice(..contents.len()).copy_from_slice(contents);
+                }
+                buffer.unmap();
             }
-            buffer.unmap();
             Ok(buffer)
         })
     }

@@ -17,7 +17,7 @@ pub struct DeviceScene<'a> {
     /// The scene as data.
     pub scene: &'a Scene,
     resources: RefCell<Vec<Rc<FrameResources>>>,
-    topology: Rc<OnceCell<Topology>>,
+    topology: Rc<OnceCell<Rc<Topology>>>,
 }
 
 /// A method that can draw frames of a scene.
@@ -81,7 +81,7 @@ impl<'a> DeviceScene<'a> {
 
     /// The scene's topology, if a method has asked for it.
     pub fn topology_if_built(&self) -> Option<&Topology> {
-        self.topology.get()
+        self.topology.get().map(|topology| &**topology)
     }
 }
 

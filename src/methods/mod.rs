@@ -12,13 +12,16 @@ mod frustum;
 mod light_depth;
 mod limit;
 mod parameters;
+mod portable_volumes;
 mod registry;
 mod shadow_map;
 mod silhouette;
+mod silhouette_cpu;
 mod silhouette_gs;
 mod silhouette_ts;
 mod triangle_gs;
 mod triangle_ts;
+mod volume_limits;
 mod volume_parameters;
 mod volumes;
 
@@ -113,7 +116,7 @@ pub struct PrepareContext<'a> {
     pub scene: &'a Scene,
     /// The scene on the device, targets and view.
     pub resources: &'a FrameResources,
-    topology: Rc<OnceCell<Topology>>,
+    topology: Rc<OnceCell<Rc<Topology>>>,
 }
 
 impl<'a> PrepareContext<'a> {
@@ -132,7 +135,7 @@ impl<'a> PrepareContext<'a> {
         gpu: &'a Gpu,
         scene: &'a Scene,
         resources: &'a FrameResources,
-        topology: &Rc<OnceCell<Topology>>,
+        topology: &Rc<OnceCell<Rc<Topology>>>,
     ) -> Self {
         let topology = Rc::clone(topology);
         Self {
@@ -144,9 +147,9 @@ impl<'a> PrepareContext<'a> {
     }
 
     /// Edges with their opposite vertices; built when the first method asks.
-    pub fn topology(&self) -> &Topology {
+    pub fn topology(&self) -> &Rc<Topology> {
         self.topology
-            .get_or_init(|| Topology::build(&self.scene.mesh))
+            .get_or_init(|| Rc::new(Topology::build(&self.scene.mesh)))
     }
 }
 

@@ -2,7 +2,10 @@
 
 use super::parameters::{Parameter, ParameterError, configure};
 use super::{MethodInfo, ShadowMethod};
-use super::{cube_shadow_map, shadow_map, silhouette_gs, silhouette_ts, triangle_gs, triangle_ts};
+use super::{
+    cube_shadow_map, shadow_map, silhouette_cpu, silhouette_gs, silhouette_ts, triangle_gs,
+    triangle_ts,
+};
 use crate::toml_error;
 use crate::variant::{Variant, VariantError};
 use std::collections::BTreeSet;
@@ -56,6 +59,7 @@ impl Registry {
         Self::default()
             .with::<silhouette_ts::SilhouetteTs>()
             .with::<silhouette_gs::SilhouetteGs>()
+            .with::<silhouette_cpu::SilhouetteCpu>()
             .with::<triangle_ts::TriangleTs>()
             .with::<triangle_gs::TriangleGs>()
             .with::<shadow_map::ShadowMap>()

@@ -3,7 +3,8 @@
 
 use super::MethodInfo;
 use super::silhouette::{SideStage, Silhouette};
-use super::volumes::{self, STENCIL};
+use super::volume_limits;
+use super::volumes::STENCIL;
 use crate::gpu::Capability;
 use crate::gpu::native::PrimitiveTopology;
 use crate::gpu::shader::{self, Spirv};
@@ -14,7 +15,7 @@ pub(super) static INFO: MethodInfo = MethodInfo {
     title: "silhouette shadow volumes, side quads by a geometry shader",
     source: "Milet, Kobrtek, Zemčík, Pečiva 2014, section 3",
     needs: &[Capability::GeometryStage, STENCIL],
-    limits: &[volumes::LIMITS],
+    limits: &[volume_limits::LIMITS, volume_limits::STAGE_LIMITS],
     tolerated_share: 0.0,
 };
 

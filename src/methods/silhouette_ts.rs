@@ -2,7 +2,8 @@
 
 use super::MethodInfo;
 use super::silhouette::{SideStage, Silhouette};
-use super::volumes::{self, STENCIL};
+use super::volume_limits;
+use super::volumes::STENCIL;
 use crate::gpu::Capability;
 use crate::gpu::native::PrimitiveTopology;
 use crate::gpu::shader::{self, Spirv};
@@ -17,7 +18,7 @@ pub(super) static INFO: MethodInfo = MethodInfo {
         Capability::GeometryStage,
         STENCIL,
     ],
-    limits: &[volumes::LIMITS],
+    limits: &[volume_limits::LIMITS, volume_limits::STAGE_LIMITS],
     tolerated_share: 0.0,
 };
 

@@ -1,7 +1,8 @@
 //! A shadow volume of every triangle, in a geometry shader: what silhouettes and tessellation are
 //! compared with in Milet et al. 2014, table 4.
 
-use super::volume_parameters::VolumeParameters;
+use super::volume_limits;
+use super::volume_parameters::StageVolumeParameters;
 use super::volumes::{self, STENCIL, StencilVolumes};
 use super::{MethodError, MethodInfo, PrepareContext, ShadowMethod};
 use crate::frame::DepthSetup;
@@ -17,14 +18,18 @@ pub(super) static INFO: MethodInfo = MethodInfo {
     title: "a shadow volume of every triangle, by a geometry shader",
     source: "Milet, Kobrtek, Zemčík, Pečiva 2014, section 3 (after Stich et al. 2007)",
     needs: &[Capability::GeometryStage, STENCIL],
-    limits: &[volumes::LIMITS, volumes::TRIANGLE_LIMITS],
+    limits: &[
+        volume_limits::LIMITS,
+        volume_limits::STAGE_LIMITS,
+        volume_limits::TRIANGLE_LIMITS,
+    ],
     tolerated_share: 0.0,
 };
 
 parameters! {
     /// The method's parameters.
     pub(super) struct TriangleGs {
-        ..volume: VolumeParameters;
+        ..volume: StageVolumeParameters;
     }
 }
 

@@ -1,6 +1,7 @@
 //! A shadow volume of every triangle, in tessellation shaders (Milet et al. 2014, section 2.1).
 
-use super::volume_parameters::{FrontCap, VolumeParameters};
+use super::volume_limits;
+use super::volume_parameters::{FrontCap, StageVolumeParameters};
 use super::volumes::{self, Faces, STENCIL, StencilVolumes};
 use super::{MethodError, MethodInfo, PrepareContext, ShadowMethod};
 use crate::frame::DepthSetup;
@@ -16,7 +17,11 @@ pub(super) static INFO: MethodInfo = MethodInfo {
     title: "a shadow volume of every triangle, by tessellation shaders",
     source: "Milet, Kobrtek, Zemčík, Pečiva 2014, section 2.1",
     needs: &[Capability::TessellationStage, STENCIL],
-    limits: &[volumes::LIMITS, volumes::TRIANGLE_LIMITS],
+    limits: &[
+        volume_limits::LIMITS,
+        volume_limits::STAGE_LIMITS,
+        volume_limits::TRIANGLE_LIMITS,
+    ],
     tolerated_share: 0.0,
 };
 
@@ -25,7 +30,7 @@ parameters! {
     pub(super) struct TriangleTs {
         passes: u32 = 2, in 1..=2,
             "2: sides and back cap, then front cap (algorithm 1); 1: a quad twisted into the whole volume (figure 3)";
-        ..volume: VolumeParameters;
+        ..volume: StageVolumeParameters;
     }
 }
 
@@ -62,7 +67,11 @@ impl ShadowMethod for TriangleTs {
 const TRIANGLE_PATCH: PrimitiveTopology = PrimitiveTopology::Patches(3);
 
 /// Sides and back cap at inner level 3, the front cap at 1.
-fn part(context: &PrepareContext<'_>, parameters: &VolumeParameters, inner_level: u32) -> Faces {
+fn part(
+    context: &PrepareContext<'_>,
+    parameters: &StageVolumeParameters,
+    inner_level: u32,
+) -> Faces {
     let defines = parameters.defines(&[("INNER_LEVEL", inner_level)]);
     let stages = vec![
         shader::glsl("methods/volumes/position.vert", &[]),
@@ -73,7 +82,7 @@ fn part(context: &PrepareContext<'_>, parameters: &VolumeParameters, inner_level
 }
 
 /// The whole volume in one.
-fn single(context: &PrepareContext<'_>, parameters: &VolumeParameters) -> Faces {
+fn single(context: &PrepareContext<'_>, parameters: &StageVolumeParameters) -> Faces {
     let push: &[_] = match parameters.front_cap {
         FrontCap::Far => &[("PUSH_FRONT_CAP", 1)],
         FrontCap::InPlace => &[],

@@ -6,6 +6,7 @@ use crate::gpu::DepthDirection;
 use crate::gpu::native::Raster;
 use crate::parameters;
 use serde::{Deserialize, Serialize};
+use std::ops::Deref;
 
 /// How volumes are counted.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -55,8 +56,6 @@ parameters! {
     /// The parameters that all volume methods have.
     #[derive(Copy)]
     pub(super) struct VolumeParameters {
-        pub determinism: Determinism = Determinism::ReferenceEdge,
-            "how the edges of a triangle agree on its facing";
         pub counting: Counting = Counting::ZFail,
             "how volumes are counted; auto: z_pass for objects that cannot shadow the eye, else z_fail";
         pub reach: Reach = Reach::Scene,
@@ -75,16 +74,25 @@ parameters! {
     }
 }
 
-impl VolumeParameters {
-    /// The depth buffer that the frame is to be drawn with.
-    pub(super) fn depth_setup(&self) -> DepthSetup {
-        DepthSetup {
-            direction: self.depth,
-            format: self.depth_format,
-            near: self.near.map(|near| near as f32),
-        }
+parameters! {
+    /// The parameters of volume methods in whose stages each edge finds the facings of its triangles.
+    #[derive(Copy)]
+    pub(super) struct StageVolumeParameters {
+        pub determinism: Determinism = Determinism::ReferenceEdge,
+            "how the edges of a triangle agree on its facing";
+        ..volume: VolumeParameters;
     }
+}
 
+impl Deref for StageVolumeParameters {
+    type Target = VolumeParameters;
+
+    fn deref(&self) -> &VolumeParameters {
+        &self.volume
+    }
+}
+
+impl StageVolumeParameters {
     /// The definitions that shaders take them by, and `more`.
     pub(super) fn defines<'a>(&self, more: &[(&'a str, u32)]) -> Vec<(&'a str, u32)> {
         let mut defines = vec![("DETERMINISM", self.determinism as u32)];
@@ -96,6 +104,17 @@ impl VolumeParameters {
         }
         defines.extend_from_slice(more);
         defines
+    }
+}
+
+impl VolumeParameters {
+    /// The depth buffer that the frame is to be drawn with.
+    pub(super) fn depth_setup(&self) -> DepthSetup {
+        DepthSetup {
+            direction: self.depth,
+            format: self.depth_format,
+            near: self.near.map(|near| near as f32),
+        }
     }
 
     /// How front caps that are drawn by themselves are counted in z-fail. On the far plane they fail

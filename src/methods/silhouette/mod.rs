@@ -5,7 +5,7 @@
 
 mod edges;
 
-use super::volume_parameters::VolumeParameters;
+use super::volume_parameters::StageVolumeParameters;
 use super::volumes::{self, Faces, StencilVolumes};
 use super::{MethodError, MethodInfo, PrepareContext, ShadowMethod};
 use crate::frame::DepthSetup;
@@ -57,7 +57,7 @@ parameters! {
                 "most opposite vertices of one primitive, with input=patch at most {}; edges with more are split",
                 S::MAX_PATCH_OPPOSITES
             );
-        ..volume: VolumeParameters;
+        ..volume: StageVolumeParameters;
     }
 }
 
@@ -115,7 +115,7 @@ impl<S: SideStage> ShadowMethod for Silhouette<S> {
 impl<S: SideStage> Silhouette<S> {
     fn sides_by_number(
         context: &PrepareContext<'_>,
-        parameters: &VolumeParameters,
+        parameters: &StageVolumeParameters,
         edges: EdgeRecords,
     ) -> Result<(Faces, Vec<wgpu::Buffer>), MethodError> {
         let buffer = |label, contents: &[u8]| {
@@ -146,7 +146,7 @@ impl<S: SideStage> Silhouette<S> {
 
     fn sides_by_patch(
         gpu: &Gpu,
-        parameters: &VolumeParameters,
+        parameters: &StageVolumeParameters,
         topology: PrimitiveTopology,
         patches: EdgePatches,
     ) -> Result<Faces, MethodError> {
