@@ -26,13 +26,15 @@ const MAX_AMBIGUOUS_PX: u64 = WIDTH as u64 * HEIGHT as u64 / 5_000;
 /// Seeds of views and lights, and how many of each. With 3 and 11, volumes once had artifacts.
 const SEEDS: [u64; 3] = [3, 4, 11];
 const SHOTS: usize = 7;
-const METHODS: [&str; 8] = [
+const METHODS: [&str; 10] = [
     "silhouette_ts",
     "silhouette_gs",
     "silhouette_ts,determinism=consistent_triangle,counting=auto",
     "silhouette_gs,determinism=consistent_triangle,reach=infinity",
     "silhouette_ts,input=storage,counting=auto",
     "silhouette_gs,input=storage,counting=auto",
+    "silhouette_cpu",
+    "silhouette_cpu,counting=auto,extraction=hextree",
     "triangle_gs",
     "triangle_ts,counting=auto",
 ];

@@ -14,5 +14,6 @@ mod methods;
 mod minimise;
 mod moving_light;
 mod regression;
+mod silhouette_cpu;
 mod stability;
 mod study;

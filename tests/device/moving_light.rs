@@ -53,6 +53,8 @@ fn every_moment_is_drawn_and_judged_by_its_own_light() {
             "silhouette_gs",
             "triangle_gs,counting=auto",
             "silhouette_ts",
+            "silhouette_cpu",
+            "silhouette_cpu,counting=auto,keep=true",
             "shadow_map,resolution=1024",
             "cube_shadow_map,resolution=1024",
         ];

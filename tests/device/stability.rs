@@ -9,10 +9,12 @@ use svbench::stress::{Finding, find_cause, random};
 
 pub(crate) const SIZE_PX: (u32, u32) = (160, 120);
 /// What promises to be exact.
-const ROBUST: [&str; 5] = [
+const ROBUST: [&str; 7] = [
     "silhouette_ts",
     "silhouette_gs",
     "silhouette_gs,counting=auto",
+    "silhouette_cpu",
+    "silhouette_cpu,counting=auto",
     "triangle_ts",
     "triangle_gs",
 ];

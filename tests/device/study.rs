@@ -15,9 +15,10 @@ use svbench::reference::ReferenceCache;
 use svbench::scene::{Scene, SceneError, View};
 
 const SIZE_PX: (u32, u32) = (320, 240);
-const VOLUMES: [&str; 5] = [
+const VOLUMES: [&str; 6] = [
     "silhouette_ts",
     "silhouette_gs",
+    "silhouette_cpu",
     "triangle_ts",
     "triangle_ts,passes=1",
     "triangle_gs",

@@ -478,6 +478,7 @@ fn lists_say_what_can_run_here() {
         [
             "silhouette_ts",
             "silhouette_gs",
+            "silhouette_cpu",
             "triangle_ts",
             "triangle_gs",
             "shadow_map",

@@ -2,7 +2,6 @@
 //!
 //! What these say is certain or left open, never wrong: see [`ROUNDING`].
 
-use super::planes::{EdgePlanes, PlaneBox};
 use glam::{DVec4, Vec2, Vec4};
 
 /// How many there are at a time.
@@ -80,9 +79,10 @@ impl Doubts {
 /// A box around planes, in 32 bits.
 #[derive(Clone, Copy)]
 pub(super) struct OneBox {
-    low: Vec4,
-    high: Vec4,
-    doubt: Vec2,
+    pub(super) low: Vec4,
+    pub(super) high: Vec4,
+    /// See [`Doubts`].
+    pub(super) doubt: Vec2,
 }
 
 impl OneBox {
@@ -98,27 +98,6 @@ impl OneBox {
             low: self.low.min(other.low),
             high: self.high.max(other.high),
             doubt: self.doubt.max(other.doubt),
-        }
-    }
-}
-
-impl From<&EdgePlanes> for OneBox {
-    fn from(planes: &EdgePlanes) -> Self {
-        let [one, other] = planes.points;
-        Self {
-            low: one.min(other),
-            high: one.max(other),
-            doubt: planes.doubt,
-        }
-    }
-}
-
-impl From<&PlaneBox> for OneBox {
-    fn from(planes: &PlaneBox) -> Self {
-        Self {
-            low: planes.low.as_vec4(),
-            high: planes.high.as_vec4(),
-            doubt: planes.doubt32(),
         }
     }
 }

@@ -6,7 +6,7 @@
 //!
 //! Planes are found in 64 bits, and kept and held against a light in 32.
 
-use super::lanes::DualLight;
+use super::lanes::{DualLight, OneBox};
 use crate::geometry::{Bounds, Edge, Topology};
 use crate::scene::mesh::Mesh;
 use glam::{DVec2, DVec3, DVec4, Vec2, Vec3, Vec4};
@@ -229,5 +229,26 @@ impl PlaneBox {
     pub(super) fn doubt32(&self) -> Vec2 {
         const UP: f64 = 1.0 + 2.0 * f32::EPSILON as f64;
         (UP * self.doubt).as_vec2()
+    }
+}
+
+impl From<&PlaneBox> for OneBox {
+    fn from(planes: &PlaneBox) -> Self {
+        Self {
+            low: planes.low.as_vec4(),
+            high: planes.high.as_vec4(),
+            doubt: planes.doubt32(),
+        }
+    }
+}
+
+impl From<&EdgePlanes> for OneBox {
+    fn from(planes: &EdgePlanes) -> Self {
+        let [one, other] = planes.points;
+        Self {
+            low: one.min(other),
+            high: one.max(other),
+            doubt: planes.doubt,
+        }
     }
 }
