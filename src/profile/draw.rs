@@ -9,7 +9,7 @@ use std::rc::Rc;
 use anyhow::bail;
 
 use super::day::{Day, Step};
-use super::film::Film;
+use super::film::{Film, caption, night};
 use super::heat_map::heat_map;
 use super::hours::{MethodHours, TrueHours};
 use super::overlay::{self, Overlay};
@@ -27,9 +27,6 @@ use crate::methods::ShadowMethod;
 use crate::reference::{Reference, ReferenceCache};
 use crate::scene::{Light, Moment, Scene, View};
 use crate::{output, table};
-
-/// How dark a picture of the night is, against one under the sky of the day.
-const NIGHT: f64 = 0.35;
 
 /// What to draw, and with what.
 pub struct ProfileRequest<'a> {
@@ -279,30 +276,5 @@ impl<'a> Stage<'a> {
             }
         }
         Ok(())
-    }
-}
-
-fn caption(day: &Day, step: &Step) -> String {
-    let request = &day.request;
-    let sun = match step.light {
-        Some(_) => format!(
-            "sun {:.1}° high, azimuth {:.0}°",
-            step.position.elevation_deg, step.position.azimuth_deg
-        ),
-        None => "night".to_owned(),
-    };
-    format!(
-        "{} {} ({})  ·  {sun}",
-        request.day.date(),
-        day.clock(step),
-        request.day.zone_name()
-    )
-}
-
-fn night(dark: &Picture) -> Picture {
-    let darker = |value: &u8| (f64::from(*value) * NIGHT) as u8;
-    Picture {
-        size_px: dark.size_px,
-        rgb: dark.rgb.iter().map(darker).collect(),
     }
 }

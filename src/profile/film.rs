@@ -7,12 +7,15 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, ensure};
 use png::{BitDepth, ColorType, Encoder, Writer};
 
+use super::day::{Day, Step};
 use super::picture::Picture;
 use crate::output;
 
 /// A film of at most this length shows each frame for half a second; a longer one goes faster.
 const LONGEST_S: f64 = 20.0;
 const LONGEST_FRAME_MS: f64 = 500.0;
+/// How dark a picture of the night is, against one under the sky of the day.
+const NIGHT: f64 = 0.35;
 /// Faster than this, browsers do as they please.
 const SHORTEST_FRAME_MS: f64 = 40.0;
 
@@ -65,6 +68,33 @@ impl Film {
         ensure!(missing == 0, "{path} lacks {missing} frames");
         let ended = self.writer.finish();
         ended.with_context(|| format!("cannot write {}", self.path.display()))
+    }
+}
+
+/// What stands below a frame.
+pub(super) fn caption(day: &Day, step: &Step) -> String {
+    let request = &day.request;
+    let sun = match step.light {
+        Some(_) => format!(
+            "sun {:.1}° high, azimuth {:.0}°",
+            step.position.elevation_deg, step.position.azimuth_deg
+        ),
+        None => "night".to_owned(),
+    };
+    format!(
+        "{} {} ({})  ·  {sun}",
+        request.day.date(),
+        day.clock(step),
+        request.day.zone_name()
+    )
+}
+
+/// The scene at night, from the scene under the sky of the day.
+pub(super) fn night(dark: &Picture) -> Picture {
+    let darker = |value: &u8| (f64::from(*value) * NIGHT) as u8;
+    Picture {
+        size_px: dark.size_px,
+        rgb: dark.rgb.iter().map(darker).collect(),
     }
 }
 
