@@ -8,6 +8,7 @@ mod list;
 mod metamorphic;
 mod minimise;
 mod outputs;
+mod profile;
 mod progress;
 mod render;
 mod report;
@@ -48,6 +49,8 @@ enum Command {
     Accuracy(accuracy::AccuracyArgs),
     /// Draw one frame with one method, and compare it with the truth.
     Render(render::RenderArgs),
+    /// Follow the shadows of a day: pictures and hours of sun, by the truth and by methods.
+    Profile(profile::ProfileArgs),
     /// Shrink a scene that a method draws wrong to the few triangles that matter.
     Minimise(minimise::MinimiseArgs),
     /// Test methods on known causes of failure, and find where each one first fails.
@@ -149,6 +152,7 @@ impl Cli {
             Command::Run(args) => run::execute(&args, registry, None),
             Command::Accuracy(args) => accuracy::execute(&args, registry),
             Command::Render(args) => render::execute(&args, registry),
+            Command::Profile(args) => profile::execute(&args, registry),
             Command::Minimise(args) => minimise::execute(&args, registry),
             Command::Stress(args) => stress::execute(&args, registry),
             Command::Fuzz(args) => fuzz::execute(&args, registry),

@@ -41,30 +41,12 @@ pub(super) struct ShotArgs {
 impl ShotArgs {
     /// The files that the scene is read from.
     pub(super) fn inputs(&self) -> anyhow::Result<Vec<PathBuf>> {
-        let mut inputs = vec![self.scene.clone()];
-        if !self.is_model() {
-            let plan = find_scene(&self.scene, Path::new(""))?;
-            if let MeshSource::Obj { file, .. } = &plan.file.mesh {
-                inputs.extend(plan.search.find(file));
-            }
-        }
-        Ok(inputs)
-    }
-
-    /// Whether the scene is a bare model.
-    fn is_model(&self) -> bool {
-        let extension = self.scene.extension();
-        extension.is_some_and(|extension| extension.eq_ignore_ascii_case("obj"))
+        scene_files(&self.scene)
     }
 
     /// The scene under its light.
     pub(super) fn load(&self) -> anyhow::Result<Scene> {
-        let scene = if self.is_model() {
-            Scene::from_obj(&self.scene, Up::Y)?
-        } else {
-            let plan = find_scene(&self.scene, Path::new(""))?;
-            plan.file.load(&plan.search)?
-        };
+        let scene = load_scene(&self.scene)?;
         Ok(match self.light {
             Some(light) => scene.with_light(light),
             None => scene,
@@ -94,6 +76,32 @@ impl ShotArgs {
             .map_err(|error| ConfigError(error.to_string()))?;
         Ok(moment)
     }
+}
+
+/// The files that a scene is read from.
+pub(super) fn scene_files(scene: &Path) -> anyhow::Result<Vec<PathBuf>> {
+    let mut files = vec![scene.to_owned()];
+    if !is_model(scene) {
+        let plan = find_scene(scene, Path::new(""))?;
+        if let MeshSource::Obj { file, .. } = &plan.file.mesh {
+            files.extend(plan.search.find(file));
+        }
+    }
+    Ok(files)
+}
+
+/// A scene, or a bare model as one.
+pub(super) fn load_scene(scene: &Path) -> anyhow::Result<Scene> {
+    if is_model(scene) {
+        return Ok(Scene::from_obj(scene, Up::Y)?);
+    }
+    let plan = find_scene(scene, Path::new(""))?;
+    Ok(plan.file.load(&plan.search)?)
+}
+
+fn is_model(scene: &Path) -> bool {
+    let extension = scene.extension();
+    extension.is_some_and(|extension| extension.eq_ignore_ascii_case("obj"))
 }
 
 /// A line on how many pixels are wrong.

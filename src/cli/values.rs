@@ -24,6 +24,14 @@ pub(super) fn vec3(text: &str) -> Result<Vec3, String> {
         .map_err(|_| format!("`{text}` is not three numbers X,Y,Z"))
 }
 
+/// The same with all digits.
+pub(super) fn dvec3(text: &str) -> Result<DVec3, String> {
+    let numbers = numbers::<f64>(text)?;
+    <[f64; 3]>::try_from(numbers)
+        .map(DVec3::from)
+        .map_err(|_| format!("`{text}` is not three numbers X,Y,Z"))
+}
+
 /// `1.5,2,-3`, a point, or `1,2,3,0`, a direction.
 pub(super) fn light(text: &str) -> Result<Light, String> {
     let (xyz, w) = match numbers(text)?[..] {

@@ -168,15 +168,29 @@ impl<'a> Verifier<'a> {
     /// # Errors
     /// When the device is lost.
     pub fn true_picture(&self, truth: &Truth) -> anyhow::Result<Vec<u8>> {
-        let gpu = self.gpu;
-        self.resources.set_view(gpu, &truth.moment);
         let in_shadow = |verdict: Verdict| u8::from(verdict == Verdict::Shadowed) * u8::MAX;
         let mask: Vec<u8> = truth.mask.verdicts().map(in_shadow).collect();
+        self.picture_under(&mask, &truth.moment)
+    }
+
+    /// RGBA of the frame without the light, under the sky alone.
+    ///
+    /// # Errors
+    /// When the device is lost.
+    pub fn dark_picture(&self, moment: &Moment) -> anyhow::Result<Vec<u8>> {
+        let (width, height) = (self.resources.targets.width, self.resources.targets.height);
+        let mask = vec![u8::MAX; width as usize * height as usize];
+        self.picture_under(&mask, moment)
+    }
+
+    fn picture_under(&self, mask: &[u8], moment: &Moment) -> anyhow::Result<Vec<u8>> {
+        let gpu = self.gpu;
+        self.resources.set_view(gpu, moment);
         gpu.attempt(|| {
             let mut frame = FrameRecorder::untimed(gpu);
             self.resources.record_gbuffer(&mut frame);
             frame.submit();
-            self.resources.targets.write_mask(gpu, &mask);
+            self.resources.targets.write_mask(gpu, mask);
             let mut frame = FrameRecorder::untimed(gpu);
             self.resources.record_shade(&mut frame);
             frame.submit();

@@ -21,6 +21,7 @@ mod contact;
 mod evidence;
 mod grid;
 mod motion;
+mod samples;
 mod segment;
 mod surface;
 mod trace;

@@ -4,10 +4,10 @@ use std::collections::HashSet;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 
 use super::view::radians;
-use super::{CameraPath, LightKey, LightPath, Mesh, Scene, SceneError, SceneFile};
+use super::{CameraPath, LightKey, LightKeys, LightPath, Mesh, Scene, SceneError, SceneFile, Sun};
 use crate::output;
 
 /// Why a scene could not be written.
@@ -126,6 +126,35 @@ fn scene_text(scene: &Scene, mesh: &Mesh, names: &[String], stem: &str) -> Strin
 }
 
 fn light_text(light: &LightPath) -> String {
+    match light {
+        LightPath::Keys(keys) => keys_text(keys),
+        LightPath::Sun(sun) => sun_text(sun),
+    }
+}
+
+fn sun_text(sun: &Sun) -> String {
+    let vector = |v: DVec3| format!("[{:?}, {:?}, {:?}]", v.x, v.y, v.z);
+    let (site, compass, course) = (sun.site(), sun.compass(), sun.course());
+    let times = match course.from == course.to {
+        true => format!("time = \"{}\"", course.from),
+        false => format!(
+            "from = \"{}\"\nto = \"{}\"\nduration_s = {:?}",
+            course.from, course.to, course.duration_s
+        ),
+    };
+    format!(
+        "[light.sun]\nlatitude = {:?}\nlongitude = {:?}\ndate = \"{}\"\nzone = {}\n{times}\n\
+         north = {}\nup = {}\n",
+        site.latitude_deg(),
+        site.longitude_deg(),
+        course.day.date(),
+        toml::Value::from(course.day.zone_name()),
+        vector(compass.north()),
+        vector(compass.up()),
+    )
+}
+
+fn keys_text(light: &LightKeys) -> String {
     let mut text = "[light]\n".to_owned();
     // Writing to a String does not fail.
     let _ = match &light.keys[..] {

@@ -22,6 +22,13 @@ fn there_and_back(scene: &Scene) -> Scene {
     SceneFile::read(&path).unwrap().load(&search).unwrap()
 }
 
+fn keys_of(light: &LightPath) -> &LightKeys {
+    match light {
+        LightPath::Keys(keys) => keys,
+        LightPath::Sun(_) => panic!("it has keys"),
+    }
+}
+
 /// Text for people does not say which zero it is, and equality does not either.
 fn bits(scene: &Scene) -> Vec<u32> {
     let CameraPath {
@@ -30,7 +37,7 @@ fn bits(scene: &Scene) -> Vec<u32> {
         fov_y_rad,
         near,
     } = &scene.flight.camera;
-    let light = &scene.flight.light;
+    let light = keys_of(&scene.flight.light);
     let keys = keys.iter().flat_map(|key| [key.eye, key.target]);
     let vectors = keys
         .chain([*up])
@@ -204,7 +211,8 @@ proptest! {
             time_s += after_s;
             LightKey { time_s, place }
         });
-        let light = LightPath { keys: keys.collect(), w: f32::from(u8::from(is_point)), radius: 0.0 };
+        let light = LightKeys { keys: keys.collect(), w: f32::from(u8::from(is_point)), radius: 0.0 };
+        let light = LightPath::Keys(light);
         let mesh = parts.into_iter().collect();
         let written = Scene::new("x".to_owned(), "x".to_owned(), mesh, Flight { camera, light });
         prop_assume!(written.flight.light.validate().is_ok());

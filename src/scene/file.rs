@@ -7,6 +7,7 @@ use serde::Deserialize;
 
 use super::Scene;
 use super::flight::Flight;
+use super::ground::Ground;
 use super::mesh::Mesh;
 use super::model_search::ModelSearch;
 use super::obj::{self, Model, Up};
@@ -30,7 +31,7 @@ pub struct SceneFile {
 }
 
 /// Where the triangles of a scene come from.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum MeshSource {
     /// They are computed.
     SphereGrid(SphereGrid),
@@ -44,6 +45,8 @@ pub enum MeshSource {
         origin: Option<String>,
         /// The objects in it that only receive shadows; all others cast.
         receivers: Vec<Receiver>,
+        /// What it stands on, if the file has nothing.
+        ground: Option<Ground>,
     },
 }
 
@@ -147,6 +150,7 @@ impl SceneFile {
                 up,
                 origin,
                 receivers,
+                ground,
             } => {
                 let path = search.find(file).ok_or_else(|| SceneError::MissingModel {
                     file: file.clone(),
@@ -158,6 +162,10 @@ impl SceneFile {
                     source,
                 })?;
                 mark_receivers(receivers, &mut model.mesh)?;
+                if let Some(ground) = ground {
+                    let ground = ground.part(&model.mesh);
+                    model.mesh.push(&ground);
+                }
                 Ok(model)
             }
         }

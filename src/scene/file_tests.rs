@@ -57,7 +57,16 @@ fn a_scene_file_becomes_a_scene() {
     assert_eq!(scene.flight.at(0.0).view.up, Vec3::Y);
     assert_eq!(scene.mesh_hash, scene.mesh.hash());
     let sun = GRID.replace("5.0]", "5.0]\nw = 0");
-    assert_eq!(SceneFile::parse(&sun, "").unwrap().flight.light.w, 0.0);
+    assert_eq!(
+        SceneFile::parse(&sun, "")
+            .unwrap()
+            .flight
+            .at(0.0)
+            .light
+            .place
+            .w,
+        0.0
+    );
 }
 
 #[test]
@@ -167,7 +176,7 @@ fn an_impossible_light_path_is_named_with_its_place() {
         ),
         (
             error_of("w = 1"),
-            ":10:1: a light needs a `position`, or `keys`",
+            ":10:1: a light needs a `position`, `keys` to move through, or a `sun`",
         ),
         (
             error_of(&format!("position = [3, 20, 5]\n{KEYS}")),

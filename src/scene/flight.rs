@@ -116,7 +116,7 @@ impl Flight {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::{CameraKey, LightKey};
+    use crate::scene::{CameraKey, LightKey, LightKeys};
     use glam::{Vec3, Vec4};
 
     fn camera(keys: &[(f64, Vec3, Vec3)]) -> CameraPath {
@@ -135,11 +135,11 @@ mod tests {
 
     fn light(keys: &[(f64, Vec3)], w: f32) -> LightPath {
         let key = |&(time_s, place): &(f64, Vec3)| LightKey { time_s, place };
-        LightPath {
+        LightPath::Keys(LightKeys {
             keys: keys.iter().map(key).collect(),
             w,
             radius: 0.0,
-        }
+        })
     }
 
     const HERE: Vec3 = Vec3::new(0.0, 1.0, 6.0);

@@ -72,20 +72,30 @@ impl FromIterator<Part> for Mesh {
     /// An object for each part that has triangles.
     fn from_iter<I: IntoIterator<Item = Part>>(parts: I) -> Self {
         let mut mesh = Self::default();
-        for part in parts.into_iter().filter(|part| !part.triangles.is_empty()) {
-            let vertex = mesh.positions.len() as u32;
-            let triangle = mesh.triangles.len() as u32;
-            mesh.positions.extend(&part.positions);
-            let triangles = part.triangles.iter();
-            mesh.triangles
-                .extend(triangles.map(|t| t.map(|corner| vertex + corner)));
-            mesh.objects.push(Object {
-                name: part.name,
-                vertices: vertex..mesh.positions.len() as u32,
-                triangles: triangle..mesh.triangles.len() as u32,
-                casts_shadow: part.casts_shadow,
-            });
+        for part in parts {
+            mesh.push(&part);
         }
         mesh
+    }
+}
+
+impl Mesh {
+    /// Adds an object, if the part has triangles.
+    pub fn push(&mut self, part: &Part) {
+        if part.triangles.is_empty() {
+            return;
+        }
+        let vertex = self.positions.len() as u32;
+        let triangle = self.triangles.len() as u32;
+        self.positions.extend(&part.positions);
+        let triangles = part.triangles.iter();
+        self.triangles
+            .extend(triangles.map(|t| t.map(|corner| vertex + corner)));
+        self.objects.push(Object {
+            name: part.name.clone(),
+            vertices: vertex..self.positions.len() as u32,
+            triangles: triangle..self.triangles.len() as u32,
+            casts_shadow: part.casts_shadow,
+        });
     }
 }

@@ -6,7 +6,7 @@
 
 use super::simpler::{effort, simpler};
 use crate::judge::Observer;
-use crate::scene::{Flight, Scene};
+use crate::scene::{Flight, Light, LightPath, Scene};
 use glam::Vec3;
 use std::collections::HashSet;
 
@@ -256,7 +256,7 @@ enum ScenePoint {
 impl ScenePoint {
     fn get(self, scene: &Scene) -> Vec3 {
         match self {
-            Self::Light => scene.flight.light.keys[0].place,
+            Self::Light => scene.flight.light.light_at(0.0).place.truncate(),
             Self::Eye => scene.flight.camera.keys[0].eye,
             Self::Target => scene.flight.camera.keys[0].target,
             Self::Vertex(number) => scene.mesh.positions[number],
@@ -265,12 +265,21 @@ impl ScenePoint {
 
     fn set(self, scene: &mut Scene, point: Vec3) {
         match self {
-            Self::Light => scene.flight.light.keys[0].place = point,
+            Self::Light => scene.flight.light = moved(&scene.flight.light, point),
             Self::Eye => scene.flight.camera.keys[0].eye = point,
             Self::Target => scene.flight.camera.keys[0].target = point,
             Self::Vertex(number) => scene.mesh.positions[number] = point,
         }
     }
+}
+
+/// A light that stands still, at another place.
+fn moved(light: &LightPath, point: Vec3) -> LightPath {
+    let Light { place, radius } = light.light_at(0.0);
+    LightPath::still(Light {
+        place: point.extend(place.w),
+        radius,
+    })
 }
 
 fn with_triangles(scene: &Scene, keep: impl Fn(usize) -> bool) -> Scene {
@@ -292,8 +301,8 @@ type Fingerprint = (String, [u32; 10]);
 
 fn fingerprint(scene: &Scene) -> Fingerprint {
     let Flight { camera, light } = &scene.flight;
-    let (key, place) = (camera.keys[0], light.keys[0].place);
-    let numbers = [place, key.eye, key.target].map(|v| v.to_array().map(f32::to_bits));
+    let (key, light) = (camera.keys[0], light.light_at(0.0).place);
+    let numbers = [light.truncate(), key.eye, key.target].map(|v| v.to_array().map(f32::to_bits));
     let mut all = [light.w.to_bits(); 10];
     all[1..].copy_from_slice(numbers.as_flattened());
     (scene.mesh_hash.clone(), all)

@@ -1,7 +1,9 @@
 //! Meshes written another way: how [`Change`](super::Change)s are made.
 
 use crate::geometry::Topology;
-use crate::scene::{CameraKey, CameraPath, Flight, LightKey, LightPath, Mesh, Object, Part, Scene};
+use crate::scene::{
+    CameraKey, CameraPath, Flight, LightKey, LightKeys, LightPath, Mesh, Object, Part, Scene,
+};
 use glam::Vec3;
 use rand::seq::SliceRandom;
 use rand::{Rng, RngExt};
@@ -206,22 +208,12 @@ pub(super) fn scale(scene: &Scene, random: &mut impl Rng) -> Option<Changed> {
         near: camera.near * factor,
         ..camera.clone()
     };
-    // A direction stays as it is.
-    let towards = if light.w == 0.0 { 1.0 } else { factor };
-    let light_key = |key: &LightKey| LightKey {
-        time_s: key.time_s,
-        place: key.place * towards,
-    };
-    let light = LightPath {
-        keys: light.keys.iter().map(light_key).collect(),
-        radius: light.radius * towards,
-        ..*light
-    };
+    let light = scaled_light(light, factor);
     let positions: Vec<_> = mesh.positions.iter().map(|p| *p * factor).collect();
     let largest = positions
         .iter()
         .chain(camera.keys.iter().map(|key| &key.eye))
-        .chain(light.keys.iter().map(|key| &key.place))
+        .chain(light_places(&light))
         .fold(0f32, |largest, p| largest.max(p.abs().max_element()));
     let origins = identity(mesh.triangles.len());
     let mesh = Mesh {
@@ -233,4 +225,30 @@ pub(super) fn scale(scene: &Scene, random: &mut impl Rng) -> Option<Changed> {
         scene: Scene::new(name, title, mesh, Flight { camera, light }),
         origins,
     })
+}
+
+/// A direction stays as it is, and so does the sun.
+fn scaled_light(light: &LightPath, factor: f32) -> LightPath {
+    let LightPath::Keys(keys) = light else {
+        return light.clone();
+    };
+    let towards = if keys.w == 0.0 { 1.0 } else { factor };
+    let key = |key: &LightKey| LightKey {
+        time_s: key.time_s,
+        place: key.place * towards,
+    };
+    LightPath::Keys(LightKeys {
+        keys: keys.keys.iter().map(key).collect(),
+        radius: keys.radius * towards,
+        ..*keys
+    })
+}
+
+/// Where a light's keys are.
+fn light_places(light: &LightPath) -> impl Iterator<Item = &Vec3> {
+    let keys = match light {
+        LightPath::Keys(keys) => &keys.keys[..],
+        LightPath::Sun(_) => &[],
+    };
+    keys.iter().map(|key| &key.place)
 }

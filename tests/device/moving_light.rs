@@ -6,7 +6,7 @@ use svbench::judge::Verifier;
 use svbench::methods::{self, PrepareContext, Registry};
 use svbench::metrics::MaskComparison;
 use svbench::reference::{ReferenceCache, Verdict};
-use svbench::scene::{Flight, LightKey, LightPath, Scene};
+use svbench::scene::{Flight, LightKey, LightKeys, LightPath, Scene};
 
 /// A square plate above the ground, and a light that passes over it in 4 seconds.
 fn plate_under(w: f32) -> Scene {
@@ -22,7 +22,7 @@ fn plate_under(w: f32) -> Scene {
         time_s,
         place: Vec3::from_array(place),
     };
-    let light = LightPath {
+    let light = LightPath::Keys(LightKeys {
         keys: [
             (0.0, [4.0, 6.0, 1.0]),
             (2.5, [0.3, 7.0, -2.0]),
@@ -32,7 +32,7 @@ fn plate_under(w: f32) -> Scene {
         .to_vec(),
         w,
         radius: 0.0,
-    };
+    });
     let flight = Flight {
         light,
         ..scene.flight

@@ -20,7 +20,7 @@ mod pareto;
 mod pictures;
 mod provenance;
 mod results;
-mod shell;
+pub(crate) mod shell;
 mod stability;
 
 pub(super) use merged::page as merged_page;

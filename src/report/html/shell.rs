@@ -10,7 +10,7 @@ const STYLE: &str = concat!(
 );
 
 /// A part of a page, with a heading and a link at the top.
-pub(super) struct Section {
+pub(crate) struct Section {
     pub id: String,
     pub title: String,
     /// The text of the link.
@@ -19,7 +19,7 @@ pub(super) struct Section {
 }
 
 impl Section {
-    pub(super) fn new(id: &str, title: &str, content: Markup) -> Self {
+    pub(crate) fn new(id: &str, title: &str, content: Markup) -> Self {
         let [id, title, link] = [id, title, title].map(str::to_owned);
         Self {
             id,
@@ -31,7 +31,7 @@ impl Section {
 }
 
 /// A page: title, facts, links to the sections and banners above the sections.
-pub(super) fn page(title: &str, facts: &Markup, banners: &Markup, sections: &[Section]) -> String {
+pub(crate) fn page(title: &str, facts: &Markup, banners: &Markup, sections: &[Section]) -> String {
     let page = html! {
         (DOCTYPE)
         html lang="en" {
@@ -78,7 +78,7 @@ pub(super) fn prose(text: &str) -> Markup {
     PreEscaped(text.trim_end().replace('\n', " "))
 }
 
-pub(super) fn note(text: &str) -> Markup {
+pub(crate) fn note(text: &str) -> Markup {
     html! { p.note { (prose(text)) } }
 }
 
@@ -88,7 +88,7 @@ pub(super) fn details(summary: impl Render, content: &Markup) -> Markup {
 }
 
 /// Names, and what stands under them.
-pub(super) fn facts<N: Render>(facts: &[(N, String)]) -> Markup {
+pub(crate) fn facts<N: Render>(facts: &[(N, String)]) -> Markup {
     html! { dl.facts { @for (name, value) in facts { div { dt { (name) } dd { (value) } } } } }
 }
 

@@ -140,7 +140,7 @@ impl Plot {
 }
 
 /// With the program's own font alone: a PNG looks alike on every machine, also on one without fonts.
-fn png_options() -> &'static Options<'static> {
+pub(crate) fn png_options() -> &'static Options<'static> {
     static OPTIONS: LazyLock<Options<'_>> = LazyLock::new(|| {
         let mut options = Options::default();
         let fonts = options.fontdb_mut();

@@ -4,20 +4,23 @@ use glam::{DVec3, Vec3};
 use serde::Deserialize;
 use toml::Spanned;
 
+use super::sun::SunWire;
 use super::{Misplaced, misplaced};
 use crate::scene::camera::{CameraKey, CameraPath};
 use crate::scene::light::{Light, LightError};
-use crate::scene::light_path::{LightKey, LightPath};
+use crate::scene::light_keys::{LightKey, LightKeys};
+use crate::scene::light_path::LightPath;
 use crate::scene::view::{CameraError, radians};
 use crate::toml_array::Exactly;
 
-/// A light that stands still has a position, and one that moves has keys.
+/// A light that stands still has a position, and one that moves has keys or is the sun.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct LightWire {
     position: Option<Spanned<Exactly<f64, 3>>>,
     keys: Option<Spanned<Vec<Spanned<LightKeyWire>>>>,
     w: Option<Spanned<f64>>,
+    sun: Option<Spanned<SunWire>>,
 }
 
 #[derive(Deserialize)]
@@ -28,19 +31,34 @@ struct LightKeyWire {
 }
 
 impl LightWire {
-    pub(super) fn check(light: &Spanned<Self>) -> Result<LightPath, Misplaced> {
+    /// `camera_s` is how long the camera flies.
+    pub(super) fn check(light: &Spanned<Self>, camera_s: f64) -> Result<LightPath, Misplaced> {
         let wire = light.get_ref();
+        if let Some(sun) = &wire.sun {
+            wire.refuse_beside(sun)?;
+            return Ok(LightPath::Sun(Box::new(SunWire::check(sun, camera_s)?)));
+        }
         match (&wire.position, &wire.keys) {
             (Some(position), None) => Ok(LightPath::still(wire.light(position)?)),
-            (None, Some(keys)) => wire.path(keys),
+            (None, Some(keys)) => wire.path(keys).map(LightPath::Keys),
             (Some(position), Some(_)) => Err(misplaced(
                 position,
                 &"a light stands still at its `position` or moves through its `keys`; remove one of them",
             )),
             (None, None) => Err(misplaced(
                 light,
-                &"a light needs a `position`, or `keys` to move through",
+                &"a light needs a `position`, `keys` to move through, or a `sun`",
             )),
+        }
+    }
+
+    fn refuse_beside(&self, sun: &Spanned<SunWire>) -> Result<(), Misplaced> {
+        match self.position.is_some() || self.keys.is_some() || self.w.is_some() {
+            true => Err(misplaced(
+                sun,
+                &"a sun says where the light is; remove `position`, `keys` and `w`",
+            )),
+            false => Ok(()),
         }
     }
 
@@ -53,9 +71,9 @@ impl LightWire {
         })
     }
 
-    fn path(&self, keys: &Spanned<Vec<Spanned<LightKeyWire>>>) -> Result<LightPath, Misplaced> {
+    fn path(&self, keys: &Spanned<Vec<Spanned<LightKeyWire>>>) -> Result<LightKeys, Misplaced> {
         let wires = keys.get_ref();
-        let mut path = LightPath {
+        let mut path = LightKeys {
             keys: Vec::with_capacity(wires.len()),
             w: 1.0,
             radius: 0.0,

@@ -9,6 +9,8 @@ use toml::Spanned;
 
 use super::{Misplaced, misplaced};
 use crate::scene::file::{MeshSource, Receiver};
+use crate::scene::ground::Ground;
+use crate::scene::mesh::LARGEST_COORDINATE;
 use crate::scene::obj::Up;
 use crate::scene::sphere_grid::SphereGrid;
 
@@ -31,6 +33,14 @@ pub(super) struct MeshWire {
     up: Option<Spanned<Up>>,
     source: Option<Spanned<String>>,
     receivers: Option<Spanned<Vec<Spanned<String>>>>,
+    ground: Option<Spanned<GroundWire>>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct GroundWire {
+    height: Spanned<f32>,
+    reach: Spanned<f32>,
 }
 
 impl MeshWire {
@@ -47,6 +57,7 @@ impl MeshWire {
             up,
             source,
             receivers,
+            ground,
         } = self;
         let needed = |key: &str| misplaced(&kind, &format!("this kind of mesh needs `{key}`"));
         match *kind.get_ref() {
@@ -56,6 +67,7 @@ impl MeshWire {
                     span_of("up", &up),
                     span_of("source", &source),
                     span_of("receivers", &receivers),
+                    span_of("ground", &ground),
                 ];
                 refuse(&strangers, "obj")?;
                 let grid = SphereGrid {
@@ -80,10 +92,28 @@ impl MeshWire {
                     receivers: receivers.map_or(Ok(Vec::new()), |names| {
                         check_receivers(names.into_inner(), place)
                     })?,
+                    ground: ground
+                        .map(|ground| check_ground(ground.get_ref()))
+                        .transpose()?,
                 })
             }
         }
     }
+}
+
+fn check_ground(wire: &GroundWire) -> Result<Ground, Misplaced> {
+    let (height, reach) = (*wire.height.get_ref(), *wire.reach.get_ref());
+    if height.is_nan() || height.abs() > LARGEST_COORDINATE {
+        return Err(misplaced(
+            &wire.height,
+            &"a ground needs a finite height, at most 2^32",
+        ));
+    }
+    if !(reach > 0.0 && reach <= LARGEST_COORDINATE) {
+        let message = "a ground reaches farther than 0, and 2^32 at most";
+        return Err(misplaced(&wire.reach, &message));
+    }
+    Ok(Ground { height, reach })
 }
 
 fn check_receivers(

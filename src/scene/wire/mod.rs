@@ -2,6 +2,7 @@
 
 mod flight;
 mod mesh;
+mod sun;
 
 use std::fs;
 use std::ops::Range;
@@ -71,14 +72,16 @@ impl FileWire {
         name: String,
         place: &dyn Fn(&Range<usize>) -> String,
     ) -> Result<SceneFile, Misplaced> {
+        let mesh = self.mesh.check(place)?;
+        let camera = self.camera.check()?;
         Ok(SceneFile {
             name,
             title: self.title,
-            mesh: self.mesh.check(place)?,
+            mesh,
             expect: self.expect,
             flight: Flight {
-                light: LightWire::check(&self.light)?,
-                camera: self.camera.check()?,
+                light: LightWire::check(&self.light, camera.duration_s())?,
+                camera,
             },
         })
     }

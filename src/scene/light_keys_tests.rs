@@ -8,12 +8,12 @@ fn triangle(size: f32) -> Mesh {
     [Part::of_triangles("", &[corners])].into_iter().collect()
 }
 
-fn path(w: f32, keys: &[(f64, [f32; 3])]) -> LightPath {
+fn path(w: f32, keys: &[(f64, [f32; 3])]) -> LightKeys {
     let key = |&(time_s, place): &(f64, [f32; 3])| LightKey {
         time_s,
         place: place.into(),
     };
-    LightPath {
+    LightKeys {
         keys: keys.iter().map(key).collect(),
         w,
         radius: 0.0,
@@ -26,7 +26,7 @@ fn one_key_is_a_light_that_stands_still() {
         Vec4::new(0.3, -1e-39, 7.0, 1.0),
         Vec4::new(0.3, 1.0, 0.1, 0.0),
     ] {
-        let still = LightPath::still(Light::at(light));
+        let still = LightKeys::still(Light::at(light));
         assert_eq!((still.duration_s(), still.validate()), (0.0, Ok(())));
         for time_s in [-1.0, 0.0, 0.5, 9.0] {
             let found = still.light_at(time_s).place.to_array().map(f32::to_bits);
@@ -63,7 +63,7 @@ fn a_direction_turns_evenly() {
 
 #[test]
 fn an_impossible_path_says_why_and_where() {
-    let error = |path: LightPath| path.validate().map_err(|e| (e.key, e.problem));
+    let error = |path: LightKeys| path.validate().map_err(|e| (e.key, e.problem));
     let place = [1.0, 2.0, 3.0];
     assert_eq!(error(path(1.0, &[])), Err((None, LightError::NoKeys)));
     for (times_s, key) in [
@@ -108,7 +108,7 @@ fn a_light_beyond_what_a_scene_can_tell_is_a_direction() {
         assert_eq!(placed(&[1e9, 2e9]).w, 0.0);
     }
     // Without a size nothing is far.
-    let still = LightPath::still(Light::at(Vec4::ONE));
+    let still = LightKeys::still(Light::at(Vec4::ONE));
     assert_eq!(still.clone().of_scene(&Mesh::default()), still);
 }
 
