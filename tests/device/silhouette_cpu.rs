@@ -1,4 +1,6 @@
 //! Silhouettes on the processor: however they are found, and whatever caps are made of, the mask is the same.
+#![allow(clippy::unwrap_used, reason = "tests")]
+
 use crate::common::{device, scene_over_ground, view};
 use glam::{Vec3, Vec4};
 use svbench::frame::FrameResources;
@@ -7,7 +9,7 @@ use svbench::judge::Verifier;
 use svbench::methods::{self, PrepareContext, Registry};
 use svbench::metrics::MaskError;
 use svbench::reference::ReferenceCache;
-use svbench::scene::{Flight, LightKey, LightPath, Scene, View};
+use svbench::scene::{Flight, LightKey, LightKeys, LightPath, Scene, View};
 use svbench::stress::{find_cause, random};
 
 const SIZE_PX: (u32, u32) = (320, 240);
@@ -124,11 +126,11 @@ fn light_through_elements() -> Scene {
         time_s: i as f64,
         place,
     };
-    let light = LightPath {
+    let light = LightPath::Keys(LightKeys {
         keys: places.into_iter().enumerate().map(key).collect(),
         w: 1.0,
         radius: 0.0,
-    };
+    });
     let flight = Flight {
         light,
         ..scene.flight

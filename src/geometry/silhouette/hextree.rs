@@ -106,7 +106,7 @@ impl Hextree {
         let mut blocks = Vec::new();
         self.visit(0, dual, &mut |of_cube| blocks.extend(of_cube));
         let mut found = in_parallel(&blocks, 256, |block, found| {
-            block.ask(question, dual, found)
+            block.ask(question, dual, found);
         });
         found.append(&mut in_parallel(&self.always, 1024, |&edge, found| {
             found.extend(question.ask(edge));

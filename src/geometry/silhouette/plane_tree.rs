@@ -95,7 +95,7 @@ impl PlaneTree {
         let nodes: Vec<_> = (0..self.levels.get(shared).map_or(0, Vec::len)).collect();
         let mut found = in_parallel(&nodes, NODES_TO_SHARE / 8, |&node, found| {
             self.visit(shared, node, dual, &mut |block| {
-                block.ask(question, dual, found)
+                block.ask(question, dual, found);
             });
         });
         found.append(&mut in_parallel(&self.boundary, 256, |block, found| {

@@ -243,14 +243,14 @@ impl CpuVolumes {
                 faces.fan_back(&edge, apexes[edge.a as usize]);
             }
         }
-        if plans.iter().any(CasterPlan::has_triangles) {
+        if plans.iter().any(|plan| plan.has_triangles()) {
             self.facings.find(mesh, light, &mut self.of_triangles);
             let casters = mesh.casters().zip(plans);
             for (caster, plan) in casters.filter(|(_, plan)| plan.has_triangles()) {
                 let triangles = caster.triangle_range();
                 let of_caster = mesh.triangles[triangles.clone()].iter();
                 for (triangle, facing) in of_caster.zip(&self.of_triangles[triangles]) {
-                    self.planner.cap(faces, plan, *triangle, *facing);
+                    self.planner.cap(faces, *plan, *triangle, *facing);
                 }
             }
         }

@@ -70,13 +70,7 @@ impl Planner {
     }
 
     /// The caps of one triangle, but for those that are fans.
-    pub(super) fn cap(
-        &self,
-        faces: &mut Faces,
-        plan: &CasterPlan,
-        [a, b, c]: [u32; 3],
-        facing: i8,
-    ) {
+    pub(super) fn cap(&self, faces: &mut Faces, plan: CasterPlan, [a, b, c]: [u32; 3], facing: i8) {
         let casts = facing == 1 || facing == -1 && plan.casting == Casting::All;
         // Counter-clockwise seen from the light.
         let triangle = if facing == 1 { [a, b, c] } else { [a, c, b] };
@@ -93,7 +87,7 @@ impl Planner {
 
 impl CasterPlan {
     /// Whether a cap of it is made of triangles.
-    pub(super) fn has_triangles(&self) -> bool {
-        !self.z_pass && !(self.fan_in_front && self.fan_behind)
+    pub(super) fn has_triangles(self) -> bool {
+        !(self.z_pass || self.fan_in_front && self.fan_behind)
     }
 }
