@@ -8,7 +8,7 @@ use crate::metrics::Label;
 pub(super) const LIMITS: &[Limit] = &[
     Limit {
         text: "8-bit counter: wrong where a point lies in 256 single-triangle shadow volumes or a multiple of \
-               that; a closed surface counts as two",
+               that; a closed surface counts as two, with casting=light_facing as one",
         with: &[],
         fails: &[],
         kinds: &[Label::Overflow],

@@ -83,8 +83,11 @@ fn a_counter_of_eight_bits_is_zero_again_at_256() {
     let gpu = device();
     let judge = Judge::new(&gpu, SIZE_PX);
     for method in ROBUST {
-        // An open sheet is counted once, a closed shell twice: on its way in and on its way out.
-        for (cause, wraps_at) in [("stacked_sheets", 256.0), ("nested_shells", 128.0)] {
+        // An open sheet is counted once, a closed shell twice: on its way in and on its way out. Where only triangles
+        // that face the light cast, once.
+        let casts_once = method.starts_with("silhouette_cpu");
+        let shells = if casts_once { 256.0 } else { 128.0 };
+        for (cause, wraps_at) in [("stacked_sheets", 256.0), ("nested_shells", shells)] {
             let at = |count: f64| artifacts(&judge, method, cause, count);
             assert!(at(wraps_at - 2.0) <= 5, "{method}, {cause}: before");
             assert!(at(wraps_at) > SOME_PX, "{method}, {cause}: at {wraps_at}");
