@@ -26,13 +26,10 @@ pub(super) fn sections(paper: &Paper) -> [Section; 2] {
         }
     };
     let ledger = ledger(&paper.ledger);
+    let name = title("The paper's tables", "Tables");
     let claims = title("The paper's claims", "Claims");
     [
-        Section::new(
-            &format!("{prefix}paper"),
-            &title("The paper's tables", "Tables"),
-            tables,
-        ),
+        Section::new(&format!("{prefix}paper"), &name, tables),
         Section {
             link: title("Its claims", "Claims"),
             ..Section::new(&format!("{prefix}ledger"), &claims, ledger)

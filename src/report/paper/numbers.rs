@@ -34,6 +34,9 @@ pub(super) fn sheet(paper: &'static Publication, spec: &'static Spec, text: &str
     for row in csv::Reader::from_reader(text.as_bytes()).deserialize() {
         add(&mut sheet, &row?)?;
     }
+    for id in &spec.also {
+        sheet.points.push(point(paper, spec, id.clone())?);
+    }
     Ok(sheet)
 }
 
@@ -47,12 +50,11 @@ fn add(sheet: &mut Sheet, row: &Record) -> Result<()> {
     let id = joined(row, &spec.series_columns)?;
     let series = spec.series.iter().position(|known| *known == id);
     let text = field(row, paper.quantity.column())?;
+    let number = text.parse::<f64>();
     let value = Value {
         series: series.with_context(|| format!("unknown: {id}"))?,
         point: known.unwrap_or(sheet.points.len() - 1),
-        value: text
-            .parse()
-            .with_context(|| format!("`{text}` is not a number"))?,
+        value: number.with_context(|| format!("`{text}` is not a number"))?,
         ..Value::default()
     };
     let device = row.get("device").unwrap_or(&paper.device);

@@ -66,6 +66,9 @@ pub(crate) struct Spec {
     pub point_columns: Vec<String>,
     /// What is compared, in the paper's order.
     pub series: Vec<String>,
+    /// Places that the paper lacks.
+    #[serde(default)]
+    pub also: Vec<String>,
     /// Whether the series are the rows; else the points are.
     #[serde(default)]
     pub series_are_rows: bool,

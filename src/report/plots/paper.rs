@@ -29,7 +29,7 @@ fn names(sheet: &Sheet) -> impl Iterator<Item = &str> {
 
 fn figure(sheet: &Sheet) -> Figure {
     // A legend of lines shows its dashes; one of bars has nothing hollow to show.
-    let (chart, key) = if sheet.spec.series_are_rows {
+    let (chart, key) = if sheet.points.iter().all(|point| point.number.is_none()) {
         (bars(sheet), "; hollow: published")
     } else {
         (lines(sheet), "")

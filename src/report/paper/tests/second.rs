@@ -25,6 +25,7 @@ numbers = "none.csv"
 series_columns = ["extraction"]
 point_columns = ["scene", "triangles"]
 series = ["brute_force", "tree"]
+also = ["Port"]
 
 [places."Old Town_1200"]
 name = "Old Town, 1,200 triangles"
@@ -33,6 +34,10 @@ at = { scene = "old_town" }
 [places."New Town_3400"]
 name = "New Town, 3,400 triangles"
 at = { scene = "new_town" }
+
+[places.Port]
+name = "Port, not in the paper"
+at = { scene = "port" }
 
 [series.brute_force]
 name = "Brute force"
@@ -81,6 +86,8 @@ fn a_file_gives_tables_and_a_ledger() {
         row("old_town", "extraction=tree", 400.0),
         row("new_town", "", 100.0),
         row("new_town", "extraction=tree", 200.0),
+        row("port", "", 50.0),
+        row("port", "extraction=tree", 40.0),
     ];
     let runs = [paper_run("run", "A GPU", &rows)];
     let groups = group(&runs, false).unwrap();
@@ -121,4 +128,12 @@ fn what_does_not_fit_is_named() {
     assert_eq!(fault("tree,4.25", "bush,4.25"), "unknown: bush");
     assert_eq!(fault("4.25", "fast"), "`fast` is not a number");
     assert_eq!(fault("frame_ms", "ms"), "there is no column `frame_ms`");
+    let lost = PAPER.replace("[\"Port\"]", "[\"Fort\"]");
+    let paper: &'static Publication = Box::leak(Box::new(Publication::parse(&lost).unwrap()));
+    assert_eq!(
+        numbers::sheet(paper, &paper.tables[0], NUMBERS)
+            .unwrap_err()
+            .to_string(),
+        "`Fort` is neither a number nor a known place"
+    );
 }
