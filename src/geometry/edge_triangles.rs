@@ -23,11 +23,6 @@ impl EdgeTriangle {
     pub fn is_along(self) -> bool {
         self.0.is_multiple_of(2)
     }
-
-    /// A number for each triangle and way: twice the triangle's, and one more if it is against the edge.
-    pub(super) fn number(self) -> u32 {
-        self.0
-    }
 }
 
 /// The triangles of all edges of a [`Topology`].

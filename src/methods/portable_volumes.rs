@@ -2,8 +2,8 @@
 //!
 //! Corners are numbered: twice the vertex, and one more for the far end of its shadow.
 
+use super::PrepareContext;
 use super::volume_parameters::{Reach, VolumeParameters};
-use super::{MethodError, PrepareContext};
 use crate::frame::{FrameResources, StencilResolve};
 use crate::gpu::{DepthDirection, Stage, shader};
 use std::ops::Range;
@@ -48,10 +48,7 @@ pub(super) struct PortableVolumes {
 }
 
 impl PortableVolumes {
-    pub(super) fn new(
-        context: &PrepareContext<'_>,
-        parameters: &VolumeParameters,
-    ) -> Result<Self, MethodError> {
+    pub(super) fn new(context: &PrepareContext<'_>, parameters: &VolumeParameters) -> Self {
         let PrepareContext { gpu, resources, .. } = context;
         let device = &gpu.device;
         let module = shader::wgsl(device, "methods/volumes/corner.wgsl");
@@ -89,12 +86,12 @@ impl PortableVolumes {
                 cache: None,
             })
         };
-        Ok(Self {
+        Self {
             depth_passes: pipeline(Count::DepthPasses),
             depth_fails: pipeline(Count::DepthFails),
             everywhere: pipeline(Count::Everywhere),
             resolve: StencilResolve::new(gpu, parameters.depth_setup()),
-        })
+        }
     }
 
     /// Counts the faces whose corners are in `elements`.

@@ -13,8 +13,7 @@ const EDGES_PER_TASK: usize = 4096;
 pub struct BruteForce {
     facings: Facings,
     triangles: EdgeTriangles,
-    /// For the light of the moment: of each triangle its facing, and the facing of its other winding.
-    signed: Vec<[i8; 2]>,
+    /// For the light of the moment.
     of_triangles: Vec<i8>,
     tasks: Vec<Range<usize>>,
 }
@@ -27,7 +26,6 @@ impl BruteForce {
         Self {
             facings: Facings::new(mesh),
             triangles: EdgeTriangles::build(mesh, topology),
-            signed: Vec::new(),
             of_triangles: vec![0; mesh.triangles.len()],
             tasks: tasks
                 .map(|from| from..edges.min(from + EDGES_PER_TASK))
@@ -44,11 +42,10 @@ impl BruteForce {
         light: Vec4,
     ) -> Vec<SilhouetteEdge> {
         self.facings.find(mesh, light, &mut self.of_triangles);
-        self.signed.clear();
-        let both = self.of_triangles.iter().map(|&facing| [facing, -facing]);
-        self.signed.extend(both);
-        let facings = self.signed.as_flattened();
-        let facing = |triangle: EdgeTriangle| i32::from(facings[triangle.number() as usize]);
+        let facing = |triangle: EdgeTriangle| {
+            let own = i32::from(self.of_triangles[triangle.triangle()]);
+            if triangle.is_along() { own } else { -own }
+        };
         in_parallel(&self.tasks, 1, |task, found| {
             for (edge, number) in topology.edges[task.clone()].iter().zip(task.start as u32..) {
                 let multiplicity = match *self.triangles.of(*edge) {

@@ -105,7 +105,7 @@ impl ShadowMethod for SilhouetteCpu {
         Ok(Box::new(CpuVolumes {
             extractor: Extractor::new(self.extraction, self.hextree_depth, &mesh, &topology),
             keep: self.keep,
-            volumes: PortableVolumes::new(context, &self.volume)?,
+            volumes: PortableVolumes::new(context, &self.volume),
             facings: Facings::new(&mesh),
             of_triangles: vec![0; mesh.triangles.len()],
             elements: elements(context.gpu, 0)?,
