@@ -2,9 +2,13 @@
 
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use glam::Vec4;
+use rayon::prelude::*;
 use std::hint::black_box;
+use std::time::{Duration, Instant};
 use svbench::geometry::Topology;
-use svbench::geometry::silhouette::{BruteForce, HEXTREE_DEPTH, Hextree, PlaneTree};
+use svbench::geometry::silhouette::{
+    BruteForce, HEXTREE_DEPTH, Hextree, PlaneTree, SilhouetteEdge,
+};
 use svbench::scene::sphere_grid::SphereGrid;
 
 const LIGHT: Vec4 = Vec4::new(8.0, 45.0, 12.0, 1.0);
@@ -24,15 +28,16 @@ fn extraction(criterion: &mut Criterion) {
         let mut brute_force = BruteForce::build(&mesh, &topology);
         let plane_tree = PlaneTree::build(&mesh, &topology);
         let hextree = Hextree::build(&mesh, &topology, HEXTREE_DEPTH);
+        let mut found = Vec::new();
         let named = |what| BenchmarkId::new(what, triangles);
         group.bench_function(named("brute force"), |bencher| {
-            bencher.iter(|| brute_force.silhouette(&mesh, &topology, black_box(LIGHT)));
+            bencher.iter(|| brute_force.silhouette(&mesh, &topology, black_box(LIGHT), &mut found));
         });
         group.bench_function(named("plane tree"), |bencher| {
-            bencher.iter(|| plane_tree.silhouette(&mesh, &topology, black_box(LIGHT)));
+            bencher.iter(|| plane_tree.silhouette(&mesh, &topology, black_box(LIGHT), &mut found));
         });
         group.bench_function(named("hextree"), |bencher| {
-            bencher.iter(|| hextree.silhouette(&mesh, &topology, black_box(LIGHT)));
+            bencher.iter(|| hextree.silhouette(&mesh, &topology, black_box(LIGHT), &mut found));
         });
         group.bench_function(named("plane tree, built"), |bencher| {
             bencher.iter(|| PlaneTree::build(black_box(&mesh), &topology));
@@ -44,5 +49,63 @@ fn extraction(criterion: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, extraction);
+/// As a frame has it: the light has moved, the caches are full of other things, and the cores sleep.
+fn extraction_in_a_frame(criterion: &mut Criterion) {
+    let grid = SphereGrid {
+        rows: 10,
+        columns: 10,
+        slices: 104,
+    };
+    let Ok(mesh) = grid.mesh() else { return };
+    let topology = Topology::build(&mesh);
+    let mut group = criterion.benchmark_group("silhouette in a frame");
+    group.sample_size(10);
+    let mut brute_force = BruteForce::build(&mesh, &topology);
+    let plane_tree = PlaneTree::build(&mesh, &topology);
+    let hextree = Hextree::build(&mesh, &topology, HEXTREE_DEPTH);
+    group.bench_function("brute force", |bencher| {
+        bencher.iter_custom(|frames| {
+            in_frames(frames, |light, found| {
+                brute_force.silhouette(&mesh, &topology, light, found)
+            })
+        });
+    });
+    group.bench_function("plane tree", |bencher| {
+        bencher.iter_custom(|frames| {
+            in_frames(frames, |light, found| {
+                plane_tree.silhouette(&mesh, &topology, light, found)
+            })
+        });
+    });
+    group.bench_function("hextree", |bencher| {
+        bencher.iter_custom(|frames| {
+            in_frames(frames, |light, found| {
+                hextree.silhouette(&mesh, &topology, light, found)
+            })
+        });
+    });
+    group.finish();
+}
+
+/// The time of some frames' extractions.
+fn in_frames(frames: u64, mut extract: impl FnMut(Vec4, &mut Vec<SilhouetteEdge>)) -> Duration {
+    let mut found = Vec::new();
+    let mut drawn = vec![0u64; 1 << 23];
+    let frame = |frame: u64| {
+        if std::env::var("THRASH").is_ok() {
+            drawn.par_iter_mut().for_each(|word| *word += frame);
+        }
+        if std::env::var("SLEEP").is_ok() {
+            std::thread::sleep(Duration::from_millis(5));
+        }
+        let turn = frame as f32 / 64.0;
+        let light = LIGHT + 8.0 * Vec4::new(turn.cos(), 0.0, turn.sin(), 0.0);
+        let start = Instant::now();
+        extract(black_box(light), &mut found);
+        start.elapsed()
+    };
+    (0..frames).map(frame).sum()
+}
+
+criterion_group!(benches, extraction, extraction_in_a_frame);
 criterion_main!(benches);

@@ -1,37 +1,54 @@
 //! Edges eight at a time, with the planes of their triangles.
 
-use super::lanes::{Doubts, DualLight, LANES, Points, lanes_of, mask};
+use super::lanes::{DualLight, LANES, OneBox, lanes_of};
 use super::planes::{EdgeKind, EdgePlanes};
+use super::steps::{Sides, StepBox, StepPoints};
 use super::{Question, SilhouetteEdge};
+use bytemuck::{Pod, Zeroable};
+use std::ops::BitXor;
 
-/// Where a lane has no edge.
-const NO_EDGE: u32 = u32::MAX;
+/// So many blocks are fetched before their edges are asked.
+const AT_A_TIME: usize = 32;
 
 /// Up to eight edges and the planes of two triangles on each. What their distances from a light leave open is decided by
 /// the facings themselves.
+///
+/// Planes are kept in 16 bits along the sides of a box around them: most of what finding a silhouette costs is bringing
+/// them from memory.
+#[derive(Clone, Copy, Pod, Zeroable)]
+#[repr(C)]
 pub(super) struct EdgeBlock {
-    first: Points,
-    /// Turned around.
-    second: Points,
-    doubt: Doubts,
+    around: StepBox,
+    /// The lanes that have an edge, and those whose edge has planes: a bit each.
+    taken: u32,
+    known: u32,
+    /// Those of one triangle of each edge, and those of the other turned around.
+    planes: [StepPoints; 2],
     edges: [u32; LANES],
 }
 
 impl EdgeBlock {
     /// Of at most [`LANES`] edges: their numbers and planes.
-    pub(super) fn new<'a>(edges: impl Iterator<Item = (u32, &'a EdgePlanes)>) -> Self {
+    pub(super) fn new<'a>(edges: impl Iterator<Item = (u32, &'a EdgePlanes)> + Clone) -> Self {
+        let is_known =
+            |planes: &EdgePlanes| matches!(planes.kind, EdgeKind::Pair | EdgeKind::Boundary);
+        let known = edges.clone().filter(|(_, planes)| is_known(planes));
+        let boxes = known.map(|(_, planes)| OneBox::from(planes));
         let mut block = Self {
-            first: Points::default(),
-            second: Points::default(),
-            doubt: Doubts::ALL,
-            edges: [NO_EDGE; LANES],
+            around: StepBox::of(boxes.reduce(OneBox::union).unwrap_or_default()),
+            taken: 0,
+            known: 0,
+            planes: Default::default(),
+            edges: [0; LANES],
         };
         for (lane, (number, planes)) in edges.enumerate() {
             block.edges[lane] = number;
-            if matches!(planes.kind, EdgeKind::Pair | EdgeKind::Boundary) {
-                block.first.set(lane, planes.points[0]);
-                block.second.set(lane, planes.points[1]);
-                block.doubt.set(lane, planes.doubt);
+            block.taken |= 1 << lane;
+            if is_known(planes) {
+                block.known |= 1 << lane;
+                for (of_lanes, point) in block.planes.iter_mut().zip(planes.points) {
+                    of_lanes.set(lane, point, &block.around);
+                }
             }
         }
         block
@@ -39,61 +56,75 @@ impl EdgeBlock {
 
     /// The numbers of its edges.
     pub(super) fn edges(&self) -> impl Iterator<Item = u32> {
-        let edges = self.edges.iter().copied();
-        edges.take_while(|&edge| edge != NO_EDGE)
+        lanes_of(self.taken).map(|lane| self.edges[lane])
     }
 
-    /// Adds those of its edges that are on the silhouette.
-    pub(super) fn ask(
-        &self,
-        question: Question<'_>,
-        light: &DualLight,
-        found: &mut Vec<SilhouetteEdge>,
-    ) {
-        let (first, second) = (self.first.distances(light), self.second.distances(light));
-        let doubt = self.doubt.under(light);
-        let before = |one: &[f32; LANES], i: usize| one[i] > doubt[i];
-        let behind = |one: &[f32; LANES], i: usize| one[i] < -doubt[i];
-        let cancels = mask(|i| {
-            (before(&first, i) & before(&second, i)) | (behind(&first, i) & behind(&second, i))
-        });
-        for i in lanes_of(!cancels) {
-            let edge = self.edges[i];
-            let multiplicity = if before(&first, i) && behind(&second, i) {
-                2
-            } else if behind(&first, i) && before(&second, i) {
-                -2
-            } else if edge == NO_EDGE {
-                break;
-            } else {
-                question.multiplicity(edge)
-            };
-            if multiplicity != 0 {
-                found.push(SilhouetteEdge { edge, multiplicity });
-            }
-        }
+    /// Something of each of its cache lines.
+    fn touch(&self) -> u32 {
+        let [one, other] = self.planes.each_ref().map(StepPoints::first);
+        one ^ other ^ self.edges[0] ^ self.known
     }
 
-    /// The same where each edge has one triangle.
-    pub(super) fn ask_boundary(
+    /// Where the planes of its edges are for a light.
+    fn sides(&self, light: &DualLight) -> [Sides; 2] {
+        let steps = self.around.under(light);
+        let [one, other] = &self.planes;
+        [steps.sides(one, self.known), steps.sides(other, self.known)]
+    }
+
+    /// Adds the edges of some lanes, with the multiplicities `size` and `-size`, and those of `open` lanes with theirs.
+    fn add(
         &self,
+        [plus, minus, open]: [u32; 3],
+        size: i32,
         question: Question<'_>,
-        light: &DualLight,
         found: &mut Vec<SilhouetteEdge>,
     ) {
-        let distances = self.first.distances(light);
-        let doubt = self.doubt.under(light);
-        for (i, edge) in self.edges().enumerate() {
-            let multiplicity = if distances[i] > doubt[i] {
-                1
-            } else if distances[i] < -doubt[i] {
-                -1
-            } else {
-                question.multiplicity(edge)
-            };
-            if multiplicity != 0 {
-                found.push(SilhouetteEdge { edge, multiplicity });
-            }
+        for lane in lanes_of(plus | minus) {
+            let is_minus = (minus >> lane & 1) as i32;
+            found.push(SilhouetteEdge {
+                edge: self.edges[lane],
+                multiplicity: size - 2 * size * is_minus,
+            });
         }
+        found.extend(lanes_of(open).filter_map(|lane| question.ask(self.edges[lane])));
+    }
+}
+
+/// Adds those edges of blocks that are on the silhouette.
+pub(super) fn ask(
+    blocks: &[&EdgeBlock],
+    question: Question<'_>,
+    light: &DualLight,
+    found: &mut Vec<SilhouetteEdge>,
+) {
+    for blocks in blocks.chunks(AT_A_TIME) {
+        // They are far apart in memory. Nothing here waits for an outcome, so that many are fetched at a time.
+        let touched = blocks.iter().map(|block| block.touch());
+        std::hint::black_box(touched.fold(0, BitXor::bitxor));
+        let mut lanes = [[0; 3]; AT_A_TIME];
+        for (lanes, block) in lanes.iter_mut().zip(blocks) {
+            let [one, other] = block.sides(light);
+            let (plus, minus) = (one.before & other.behind, one.behind & other.before);
+            let cancels = one.before & other.before | one.behind & other.behind;
+            *lanes = [plus, minus, block.taken & !(plus | minus | cancels)];
+        }
+        for (lanes, block) in lanes.into_iter().zip(blocks) {
+            block.add(lanes, 2, question, found);
+        }
+    }
+}
+
+/// The same where each edge has one triangle.
+pub(super) fn ask_boundary(
+    blocks: &[EdgeBlock],
+    question: Question<'_>,
+    light: &DualLight,
+    found: &mut Vec<SilhouetteEdge>,
+) {
+    for block in blocks {
+        let [Sides { before, behind }, _] = block.sides(light);
+        let open = block.taken & !(before | behind);
+        block.add([before, behind, open], 1, question, found);
     }
 }

@@ -74,24 +74,23 @@ fn sides(mesh: &Mesh, sorted: &[[u32; 3]], light: Vec4) -> [i8; LANES] {
             let Vec3 { x, y, z } = mesh.positions[triangle[number] as usize];
             (xyz[0][lane], xyz[1][lane], xyz[2][lane]) = (x, y, z);
         }
-        xyz
+        xyz.map(Lanes::from_array)
     };
     let (a, b, c) = (corner(0), corner(1), corner(2));
-    let minus = |p: &[Lanes; 3], q: &[Lanes; 3]| -> [Lanes; 3] {
-        std::array::from_fn(|axis| std::array::from_fn(|i| p[axis][i] - q[axis][i]))
-    };
-    let x = minus(&c, &a);
-    let of: [f32; 3] = light.truncate().to_array();
-    let y: [Lanes; 3] =
-        std::array::from_fn(|axis| std::array::from_fn(|i| of[axis] - a[axis][i] * light.w));
-    let e = minus(&b, &a);
-    let d: Lanes = std::array::from_fn(|i| {
-        let n = [
-            x[1][i] * y[2][i] - x[2][i] * y[1][i],
-            x[2][i] * y[0][i] - x[0][i] * y[2][i],
-            x[0][i] * y[1][i] - x[1][i] * y[0][i],
-        ];
-        n[0] * e[0][i] + n[1] * e[1][i] + n[2] * e[2][i]
-    });
-    d.map(|d| i8::from(d > 0.0) - i8::from(d < 0.0))
+    let minus = |p: [Lanes; 3], q: [Lanes; 3]| [p[0] - q[0], p[1] - q[1], p[2] - q[2]];
+    let light_at = light.truncate().to_array().map(Lanes::splat);
+    let (x, y, e) = (
+        minus(c, a),
+        minus(light_at, a.map(|axis| axis * light.w)),
+        minus(b, a),
+    );
+    let n = [
+        x[1] * y[2] - x[2] * y[1],
+        x[2] * y[0] - x[0] * y[2],
+        x[0] * y[1] - x[1] * y[0],
+    ];
+    let d = n[0] * e[0] + n[1] * e[1] + n[2] * e[2];
+    let zero = Lanes::default();
+    let (before, behind) = (d.above(zero), (-d).above(zero));
+    std::array::from_fn(|lane| (before >> lane & 1) as i8 - (behind >> lane & 1) as i8)
 }

@@ -8,10 +8,11 @@
 //! Unlike the paper's, planes are those of triangles and not of vertices, and an edge that has not two triangles is asked
 //! for every light, so that any mesh will do.
 
-use super::edge_block::EdgeBlock;
+use super::edge_block::{self, EdgeBlock};
 use super::lanes::{Boxes, DualLight, LANES, OneBox, lanes_of};
+use super::large_pages::LargePages;
 use super::planes::{Origin, PlaneBox};
-use super::{Question, SilhouetteEdge, in_parallel};
+use super::{BLOCKS_PER_TASK, EDGES_PER_TASK, Question, SilhouetteEdge, in_parallel};
 use crate::geometry::{Edge, Topology};
 use crate::scene::mesh::Mesh;
 use glam::{BVec4, DVec2, DVec4, Vec4};
@@ -26,7 +27,7 @@ pub struct Hextree {
     /// The root first; children after their parents.
     cubes: Vec<Cube>,
     /// The edges of all cubes, cube after cube.
-    blocks: Vec<EdgeBlock>,
+    blocks: LargePages<EdgeBlock>,
     /// What no cube can hold.
     always: Vec<u32>,
 }
@@ -90,13 +91,20 @@ impl Hextree {
         });
         Self {
             cubes,
-            blocks: blocks.collect(),
+            blocks: LargePages::new(blocks.collect()),
             always,
         }
     }
 
-    /// The silhouette: that of [`BruteForce`](super::BruteForce), bit for bit, in the order of the tree.
-    pub fn silhouette(&self, mesh: &Mesh, topology: &Topology, light: Vec4) -> Vec<SilhouetteEdge> {
+    /// Finds the silhouette: that of [`BruteForce`](super::BruteForce), bit for bit, in the order of the tree. What `found`
+    /// has is replaced.
+    pub fn silhouette(
+        &self,
+        mesh: &Mesh,
+        topology: &Topology,
+        light: Vec4,
+        found: &mut Vec<SilhouetteEdge>,
+    ) {
         let dual = &Origin::WORLD.light(light);
         let question = Question {
             mesh,
@@ -105,13 +113,13 @@ impl Hextree {
         };
         let mut blocks = Vec::new();
         self.visit(0, dual, &mut |of_cube| blocks.extend(of_cube));
-        let mut found = in_parallel(&blocks, 256, |block, found| {
-            block.ask(question, dual, found);
+        found.clear();
+        in_parallel(&blocks, BLOCKS_PER_TASK, found, |_, blocks, found| {
+            edge_block::ask(blocks, question, dual, found);
         });
-        found.append(&mut in_parallel(&self.always, 1024, |&edge, found| {
-            found.extend(question.ask(edge));
-        }));
-        found
+        in_parallel(&self.always, EDGES_PER_TASK, found, |_, edges, found| {
+            found.extend(edges.iter().filter_map(|&edge| question.ask(edge)));
+        });
     }
 
     /// How many edges are asked for a light.

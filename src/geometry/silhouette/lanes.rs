@@ -1,14 +1,18 @@
-//! Planes eight at a time against one light: loops over lanes that a compiler turns into vector instructions.
+//! Planes eight at a time against one light.
 //!
 //! What these say is certain or left open, never wrong: see [`ROUNDING`].
 
+use bytemuck::{Pod, Zeroable};
 use glam::{DVec4, Vec2, Vec4};
+use std::ops::{Add, Mul, Neg, Sub};
 
 /// How many there are at a time.
 pub(super) const LANES: usize = 8;
 
-/// One number of each.
-pub(super) type Lanes = [f32; LANES];
+/// A number of each, in two vector registers.
+#[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
+#[repr(transparent)]
+pub(super) struct Lanes([Vec4; 2]);
 
 /// In units of 2⁻²⁴: a facing is found in 32 bits by up to eight roundings; a distance from a plane takes seven, those of
 /// plane and light to 32 bits among them. The rest is for the planes, found in 64 bits, and for the sum of the doubt.
@@ -31,53 +35,62 @@ impl DualLight {
             size: [ROUNDING * place, ROUNDING * light.w.abs()],
         }
     }
+
+    pub(super) fn vector(&self) -> Vec4 {
+        Vec4::from_array(self.light)
+    }
+
+    /// Its distance from a plane.
+    pub(super) fn distance(&self, plane: Vec4) -> f32 {
+        self.vector().dot(plane)
+    }
+
+    /// How far rounding may reach in a distance, see [`Doubts`].
+    pub(super) fn doubt(&self, doubt: Vec2) -> f32 {
+        doubt.x * self.size[0] + doubt.y * self.size[1]
+    }
 }
 
 /// Points in dual space: planes, or corners of boxes around planes.
-#[derive(Clone, Copy, Default)]
+#[derive(Clone, Copy, Default, Pod, Zeroable)]
+#[repr(transparent)]
 pub(super) struct Points([Lanes; 4]);
 
 impl Points {
     pub(super) fn set(&mut self, lane: usize, point: Vec4) {
         for (axis, value) in self.0.iter_mut().zip(point.to_array()) {
-            axis[lane] = value;
+            axis.set(lane, value);
         }
-    }
-
-    /// Distances of the light from these planes.
-    pub(super) fn distances(&self, light: &DualLight) -> Lanes {
-        let [x, y, z, w] = &self.0;
-        distances([x, y, z, w], light)
     }
 }
 
-fn distances([x, y, z, w]: [&Lanes; 4], light: &DualLight) -> Lanes {
+fn distances([x, y, z, w]: [Lanes; 4], light: &DualLight) -> Lanes {
     let of = light.light;
-    std::array::from_fn(|i| (x[i] * of[0] + y[i] * of[1]) + (z[i] * of[2] + w[i] * of[3]))
+    (x * of[0] + y * of[1]) + (z * of[2] + w * of[3])
 }
 
 /// How far rounding may reach in a distance.
-#[derive(Clone, Copy, Default)]
-pub(super) struct Doubts([Lanes; 2]);
+#[derive(Clone, Copy, Default, Pod, Zeroable)]
+#[repr(C)]
+pub(super) struct Doubts {
+    place: Lanes,
+    w: Lanes,
+}
 
 impl Doubts {
-    /// Nothing is certain.
-    pub(super) const ALL: Self = Self([[f32::INFINITY; LANES]; 2]);
-
     pub(super) fn set(&mut self, lane: usize, doubt: Vec2) {
-        self.0[0][lane] = doubt.x;
-        self.0[1][lane] = doubt.y;
+        self.place.set(lane, doubt.x);
+        self.w.set(lane, doubt.y);
     }
 
     /// A doubt beyond all numbers may become none at all (0 · ∞). So what is not certainly beyond it is in doubt.
     pub(super) fn under(&self, light: &DualLight) -> Lanes {
-        let [place, w] = &self.0;
-        std::array::from_fn(|i| place[i] * light.size[0] + w[i] * light.size[1])
+        self.place * light.size[0] + self.w * light.size[1]
     }
 }
 
 /// A box around planes, in 32 bits.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Default)]
 pub(super) struct OneBox {
     pub(super) low: Vec4,
     pub(super) high: Vec4,
@@ -103,7 +116,8 @@ impl OneBox {
 }
 
 /// Boxes around planes.
-#[derive(Clone, Copy, Default)]
+#[derive(Clone, Copy, Default, Pod, Zeroable)]
+#[repr(C)]
 pub(super) struct Boxes {
     low: Points,
     high: Points,
@@ -128,19 +142,79 @@ impl Boxes {
             std::array::from_fn(|axis| {
                 let is_low = (light.light[axis] >= 0.0) == least;
                 let corner = if is_low { &self.low } else { &self.high };
-                &corner.0[axis]
+                corner.0[axis]
             })
         };
         let least = distances(corners(true), light);
         let most = distances(corners(false), light);
         let doubt = self.doubt.under(light);
-        !mask(|i| (least[i] > doubt[i]) | (most[i] < -doubt[i]))
+        !(least.above(doubt) | (-most).above(doubt))
     }
 }
 
-/// A bit for each lane.
-pub(super) fn mask(holds: impl Fn(usize) -> bool) -> u32 {
-    (0..LANES).fold(0, |mask, i| mask | u32::from(holds(i)) << i)
+impl Lanes {
+    pub(super) fn from_array(lanes: [f32; LANES]) -> Self {
+        let [a, b, c, d, e, f, g, h] = lanes;
+        Self([Vec4::new(a, b, c, d), Vec4::new(e, f, g, h)])
+    }
+
+    #[inline]
+    pub(super) fn from_u16(lanes: &[u16; LANES]) -> Self {
+        let [a, b, c, d, e, f, g, h] = *lanes;
+        let half = |a: u16, b: u16, c: u16, d: u16| {
+            Vec4::new(f32::from(a), f32::from(b), f32::from(c), f32::from(d))
+        };
+        Self([half(a, b, c, d), half(e, f, g, h)])
+    }
+
+    pub(super) fn splat(value: f32) -> Self {
+        Self([Vec4::splat(value); 2])
+    }
+
+    pub(super) fn set(&mut self, lane: usize, value: f32) {
+        self.0[lane / 4][lane % 4] = value;
+    }
+
+    /// Which are above those of another: a bit each. None is where one of both is no number.
+    pub(super) fn above(self, other: Self) -> u32 {
+        let [low, high] = [0, 1].map(|half| self.0[half].cmpgt(other.0[half]).bitmask());
+        low | high << 4
+    }
+}
+
+impl Add for Lanes {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        Self([self.0[0] + other.0[0], self.0[1] + other.0[1]])
+    }
+}
+
+impl Sub for Lanes {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        Self([self.0[0] - other.0[0], self.0[1] - other.0[1]])
+    }
+}
+
+impl Mul for Lanes {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        Self([self.0[0] * other.0[0], self.0[1] * other.0[1]])
+    }
+}
+
+impl Mul<f32> for Lanes {
+    type Output = Self;
+    fn mul(self, factor: f32) -> Self {
+        Self(self.0.map(|half| half * factor))
+    }
+}
+
+impl Neg for Lanes {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self(self.0.map(|half| -half))
+    }
 }
 
 /// The lanes of a mask, one after the other.

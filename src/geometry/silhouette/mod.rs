@@ -10,8 +10,10 @@ mod edge_block;
 mod facings;
 mod hextree;
 mod lanes;
+mod large_pages;
 mod plane_tree;
 mod planes;
+mod steps;
 
 use super::{Topology, facing};
 use crate::scene::mesh::Mesh;
@@ -61,27 +63,31 @@ impl Question<'_> {
     }
 }
 
-/// What `find` adds to the silhouette for each of some parts of a mesh, in their order; tasks get at least so many parts.
-fn in_parallel<'a, T: Sync>(
-    parts: &'a [T],
-    least: usize,
-    find: impl Fn(&'a T, &mut Vec<SilhouetteEdge>) + Sync,
-) -> Vec<SilhouetteEdge> {
-    let find = |mut found: Vec<_>, part| {
-        find(part, &mut found);
-        found
-    };
-    if parts.len() <= least {
-        return parts.iter().fold(Vec::new(), find);
+/// What one core asks of blocks before it is worth while to wake another.
+const BLOCKS_PER_TASK: usize = 16384;
+
+/// The same of edges.
+const EDGES_PER_TASK: usize = 4096;
+
+/// Adds what `find` finds in parts of a mesh, so many at a time, in their order. It is told the place of the first.
+fn in_parallel<T: Sync>(
+    parts: &[T],
+    at_a_time: usize,
+    found: &mut Vec<SilhouetteEdge>,
+    find: impl Fn(usize, &[T], &mut Vec<SilhouetteEdge>) + Sync,
+) {
+    if parts.len() <= at_a_time {
+        return find(0, parts, found);
     }
-    let by_task = parts.par_iter().with_min_len(least).fold(Vec::new, find);
-    by_task.reduce(Vec::new, |mut found, mut more| {
-        if found.is_empty() {
-            return more;
-        }
-        found.append(&mut more);
+    let tasks = parts.par_chunks(at_a_time).enumerate();
+    let by_thread = tasks.fold(Vec::new, |mut found, (task, parts)| {
+        find(task * at_a_time, parts, &mut found);
         found
-    })
+    });
+    let by_thread: Vec<_> = by_thread.collect();
+    for mut more in by_thread {
+        found.append(&mut more);
+    }
 }
 
 #[cfg(test)]

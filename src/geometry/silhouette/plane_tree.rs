@@ -5,30 +5,29 @@
 //! light's hyperplane has no silhouette edge, and is skipped whole. Any mesh will do: what has no such box is asked for
 //! every light.
 
-use super::edge_block::EdgeBlock;
+use super::edge_block::{self, EdgeBlock};
 use super::lanes::{Boxes, DualLight, LANES, OneBox, lanes_of};
+use super::large_pages::LargePages;
 use super::planes::{EdgeKind, EdgePlanes, Origin};
-use super::{Question, SilhouetteEdge, in_parallel};
+use super::{BLOCKS_PER_TASK, EDGES_PER_TASK, Question, SilhouetteEdge, in_parallel};
 use crate::geometry::{Edge, Topology};
 use crate::scene::mesh::Mesh;
 use glam::Vec4;
 use rayon::prelude::*;
 
 /// Groups of more edges are split by two tasks.
-const EDGES_PER_TASK: usize = 8192;
-/// The nodes of one level are shared out among tasks if there are so many.
-const NODES_TO_SHARE: usize = 64;
+const ITEMS_PER_TASK: usize = 8192;
 
 /// The edges of a mesh, in a tree over the planes of their triangles.
 pub struct PlaneTree {
     origin: Origin,
     /// The leaves.
-    blocks: Vec<EdgeBlock>,
+    blocks: LargePages<EdgeBlock>,
     /// Boxes around eight blocks, around eight of these, and so on; the last level is one node. Node `i` has nodes
     /// or blocks `8 i` to `8 i + 7` of the level below.
-    levels: Vec<Vec<Boxes>>,
+    levels: Vec<LargePages<Boxes>>,
     /// Boundary edges: on the silhouette for nearly every light.
-    boundary: Vec<EdgeBlock>,
+    boundary: LargePages<EdgeBlock>,
     /// All others.
     always: Vec<u32>,
 }
@@ -77,75 +76,72 @@ impl PlaneTree {
         Self {
             origin,
             levels: levels(boxes),
-            blocks,
-            boundary: boundary.chunks(LANES).map(of_edges).collect(),
+            blocks: LargePages::new(blocks),
+            boundary: LargePages::new(boundary.chunks(LANES).map(of_edges).collect()),
             always,
         }
     }
 
-    /// The silhouette: that of [`BruteForce`](super::BruteForce), bit for bit, in the order of the tree.
-    pub fn silhouette(&self, mesh: &Mesh, topology: &Topology, light: Vec4) -> Vec<SilhouetteEdge> {
+    /// Finds the silhouette: that of [`BruteForce`](super::BruteForce), bit for bit, in the order of the tree. What `found`
+    /// has is replaced.
+    pub fn silhouette(
+        &self,
+        mesh: &Mesh,
+        topology: &Topology,
+        light: Vec4,
+        found: &mut Vec<SilhouetteEdge>,
+    ) {
         let dual = &self.origin.light(light);
         let question = Question {
             mesh,
             topology,
             light,
         };
-        let shared = self.shared_level();
-        let nodes: Vec<_> = (0..self.levels.get(shared).map_or(0, Vec::len)).collect();
-        let mut found = in_parallel(&nodes, NODES_TO_SHARE / 8, |&node, found| {
-            self.visit(shared, node, dual, &mut |block| {
-                block.ask(question, dual, found);
-            });
+        let blocks = self.blocks_to_ask(dual);
+        found.clear();
+        in_parallel(&blocks, BLOCKS_PER_TASK, found, |_, blocks, found| {
+            edge_block::ask(blocks, question, dual, found);
         });
-        found.append(&mut in_parallel(&self.boundary, 256, |block, found| {
-            block.ask_boundary(question, dual, found);
-        }));
-        found.append(&mut in_parallel(&self.always, 1024, |&edge, found| {
-            found.extend(question.ask(edge));
-        }));
-        found
+        in_parallel(
+            &self.boundary,
+            BLOCKS_PER_TASK,
+            found,
+            |_, blocks, found| {
+                edge_block::ask_boundary(blocks, question, dual, found);
+            },
+        );
+        in_parallel(&self.always, EDGES_PER_TASK, found, |_, edges, found| {
+            found.extend(edges.iter().filter_map(|&edge| question.ask(edge)));
+        });
     }
 
     /// How many edges are asked for a light.
     pub fn asked(&self, light: Vec4) -> usize {
         let boundary = self.boundary.iter().flat_map(EdgeBlock::edges).count();
-        let mut asked = self.always.len() + boundary;
-        if let Some(top) = self.levels.len().checked_sub(1) {
-            self.visit(top, 0, &self.origin.light(light), &mut |block| {
-                asked += block.edges().count();
-            });
-        }
-        asked
+        let blocks = self.blocks_to_ask(&self.origin.light(light));
+        let in_tree = blocks.iter().flat_map(|block| block.edges()).count();
+        self.always.len() + boundary + in_tree
     }
 
-    /// The highest level that has enough nodes for all tasks.
-    fn shared_level(&self) -> usize {
-        let has_enough = |level: &Vec<Boxes>| level.len() >= NODES_TO_SHARE;
-        self.levels
-            .iter()
-            .rposition(has_enough)
-            .unwrap_or_else(|| self.levels.len().saturating_sub(1))
-    }
-
-    /// Visits the blocks below a node whose planes may lie on both sides of the light's hyperplane.
-    fn visit(
-        &self,
-        level: usize,
-        node: usize,
-        light: &DualLight,
-        visit: &mut impl FnMut(&EdgeBlock),
-    ) {
-        let first = LANES * node;
-        for lane in lanes_of(self.levels[level][node].meeting(light)) {
-            if level > 0 {
-                if first + lane < self.levels[level - 1].len() {
-                    self.visit(level - 1, first + lane, light, visit);
-                }
-            } else if let Some(block) = self.blocks.get(first + lane) {
-                visit(block);
+    /// The blocks whose planes may lie on both sides of the light's hyperplane.
+    fn blocks_to_ask(&self, light: &DualLight) -> Vec<&EdgeBlock> {
+        let (mut nodes, mut below) = (vec![0], Vec::new());
+        for level in self.levels.iter().rev() {
+            for &node in &nodes {
+                // Lanes without a box seem to meet every light.
+                let Some(boxes) = level.get(node as usize) else {
+                    continue;
+                };
+                let lanes = lanes_of(boxes.meeting(light));
+                below.extend(lanes.map(|lane| LANES as u32 * node + lane as u32));
             }
+            nodes.clear();
+            std::mem::swap(&mut nodes, &mut below);
         }
+        let blocks = nodes.iter();
+        blocks
+            .filter_map(|&block| self.blocks.get(block as usize))
+            .collect()
     }
 }
 
@@ -161,7 +157,7 @@ fn order(items: &mut [Item]) {
     items.select_nth_unstable_by(middle, |one, other| {
         one.centre[axis].total_cmp(&other.centre[axis])
     });
-    let is_large = items.len() > EDGES_PER_TASK;
+    let is_large = items.len() > ITEMS_PER_TASK;
     let (left, right) = items.split_at_mut(middle);
     if is_large {
         rayon::join(|| order(left), || order(right));
@@ -181,10 +177,11 @@ fn longest_axis(items: &[Item]) -> usize {
 }
 
 /// The levels over blocks with these boxes.
-fn levels(mut boxes: Vec<OneBox>) -> Vec<Vec<Boxes>> {
+fn levels(mut boxes: Vec<OneBox>) -> Vec<LargePages<Boxes>> {
     let mut levels = Vec::new();
     while !boxes.is_empty() {
-        levels.push(boxes.par_chunks(LANES).map(Boxes::new).collect::<Vec<_>>());
+        let level = boxes.par_chunks(LANES).map(Boxes::new).collect();
+        levels.push(LargePages::new(level));
         if boxes.len() <= LANES {
             break;
         }

@@ -40,17 +40,18 @@ impl Extractor {
         }
     }
 
-    /// The silhouette, in any order.
+    /// Finds the silhouette, in any order.
     pub(super) fn silhouette(
         &mut self,
         mesh: &Mesh,
         topology: &Topology,
         light: Vec4,
-    ) -> Vec<SilhouetteEdge> {
+        found: &mut Vec<SilhouetteEdge>,
+    ) {
         match self {
-            Self::BruteForce(brute_force) => brute_force.silhouette(mesh, topology, light),
-            Self::Hextree(tree) => tree.silhouette(mesh, topology, light),
-            Self::PlaneTree(tree) => tree.silhouette(mesh, topology, light),
+            Self::BruteForce(brute_force) => brute_force.silhouette(mesh, topology, light, found),
+            Self::Hextree(tree) => tree.silhouette(mesh, topology, light, found),
+            Self::PlaneTree(tree) => tree.silhouette(mesh, topology, light, found),
         }
     }
 }

@@ -104,6 +104,7 @@ impl ShadowMethod for SilhouetteCpu {
         };
         Ok(Box::new(CpuVolumes {
             extractor: Extractor::new(self.extraction, self.hextree_depth, &mesh, &topology),
+            silhouette: Vec::new(),
             keep: self.keep,
             volumes: PortableVolumes::new(context, &self.volume),
             facings: Facings::new(&mesh),
@@ -131,6 +132,8 @@ struct CpuVolumes {
     topology: Rc<Topology>,
     edges: CasterEdges,
     extractor: Extractor,
+    /// That of the last light.
+    silhouette: Vec<SilhouetteEdge>,
     keep: bool,
     planner: Planner,
     /// See [`fan_apexes`].
@@ -147,7 +150,6 @@ struct CpuVolumes {
 /// What the last frame was drawn from.
 struct Kept {
     light: Vec4,
-    silhouette: Vec<SilhouetteEdge>,
     plans: Vec<CasterPlan>,
     far_ends_meet: bool,
     corners: Corners,
@@ -169,27 +171,22 @@ impl PreparedMethod for CpuVolumes {
             .kept
             .take()
             .filter(|kept| self.keep && kept.light == light);
-        let (silhouette, last) = match kept {
-            Some(kept) => (
-                kept.silhouette,
-                Some((kept.plans, kept.far_ends_meet, kept.corners)),
-            ),
-            None => {
-                let silhouette = frame.stage("extract", |stage| {
-                    stage.on_processor(|| {
-                        self.extractor.silhouette(&self.mesh, &self.topology, light)
-                    })
+        if kept.is_none() {
+            frame.stage("extract", |stage| {
+                stage.on_processor(|| {
+                    let silhouette = &mut self.silhouette;
+                    self.extractor
+                        .silhouette(&self.mesh, &self.topology, light, silhouette);
                 });
-                (silhouette, None)
-            }
-        };
+            });
+        }
         let far_ends_meet = light.w == 0.0 && !self.planner.ends_on_plane(&view);
-        let same = last.filter(|(last, meet, _)| *last == plans && *meet == far_ends_meet);
+        let same = kept.filter(|kept| kept.plans == plans && kept.far_ends_meet == far_ends_meet);
         let corners = match same {
-            Some((_, _, corners)) => corners,
+            Some(kept) => kept.corners,
             None => frame.stage("upload", |stage| {
                 self.faces.far_ends_meet = far_ends_meet;
-                stage.on_processor(|| self.make_faces(&silhouette, &plans, light));
+                stage.on_processor(|| self.make_faces(&plans, light));
                 self.upload(stage, gpu)
             })?,
         };
@@ -200,7 +197,6 @@ impl PreparedMethod for CpuVolumes {
         self.volumes.resolve.record(frame);
         self.kept = Some(Kept {
             light,
-            silhouette,
             plans,
             far_ends_meet,
             corners,
@@ -211,10 +207,11 @@ impl PreparedMethod for CpuVolumes {
 
 impl CpuVolumes {
     /// Lists the faces of all volumes.
-    fn make_faces(&mut self, silhouette: &[SilhouetteEdge], plans: &[CasterPlan], light: Vec4) {
+    fn make_faces(&mut self, plans: &[CasterPlan], light: Vec4) {
         let Self {
             mesh,
             topology,
+            silhouette,
             edges,
             faces,
             apexes,
@@ -222,7 +219,7 @@ impl CpuVolumes {
         } = self;
         faces.clear();
         let all_alike = plans.iter().all(|plan| *plan == plans[0]);
-        for found in silhouette {
+        for found in &*silhouette {
             let plan = plans[if all_alike {
                 0
             } else {
