@@ -1,14 +1,11 @@
 //! Edges eight at a time, with the planes of their triangles.
 
 use super::lanes::{DualLight, LANES, OneBox, lanes_of};
+use super::large_pages::{AT_A_TIME, fetch};
 use super::planes::{EdgeKind, EdgePlanes};
 use super::steps::{Sides, StepBox, StepPoints};
 use super::{Question, SilhouetteEdge};
 use bytemuck::{Pod, Zeroable};
-use std::ops::BitXor;
-
-/// So many blocks are fetched before their edges are asked.
-const AT_A_TIME: usize = 32;
 
 /// Up to eight edges and the planes of two triangles on each. What their distances from a light leave open is decided by
 /// the facings themselves.
@@ -59,12 +56,6 @@ impl EdgeBlock {
         lanes_of(self.taken).map(|lane| self.edges[lane])
     }
 
-    /// Something of each of its cache lines.
-    fn touch(&self) -> u32 {
-        let [one, other] = self.planes.each_ref().map(StepPoints::first);
-        one ^ other ^ self.edges[0] ^ self.known
-    }
-
     /// Where the planes of its edges are for a light.
     fn sides(&self, light: &DualLight) -> [Sides; 2] {
         let steps = self.around.under(light);
@@ -99,9 +90,7 @@ pub(super) fn ask(
     found: &mut Vec<SilhouetteEdge>,
 ) {
     for blocks in blocks.chunks(AT_A_TIME) {
-        // They are far apart in memory. Nothing here waits for an outcome, so that many are fetched at a time.
-        let touched = blocks.iter().map(|block| block.touch());
-        std::hint::black_box(touched.fold(0, BitXor::bitxor));
+        fetch(blocks.iter().copied());
         let mut lanes = [[0; 3]; AT_A_TIME];
         for (lanes, block) in lanes.iter_mut().zip(blocks) {
             let [one, other] = block.sides(light);

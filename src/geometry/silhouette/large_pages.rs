@@ -1,7 +1,8 @@
-//! Memory that is read here and there.
+//! Memory that is read here and there: more than half of what finding a silhouette in a tree costs.
 
 use bytemuck::Pod;
 use memmap2::MmapMut;
+use std::hint::black_box;
 use std::ops::Deref;
 
 /// Values on large pages, where the system has them. A silhouette takes a few bytes each of thousands of places in a tree:
@@ -17,6 +18,18 @@ pub(super) enum LargePages<T> {
 
 /// The size of a large page on most processors.
 const PAGE_BYTES: usize = 2 << 20;
+
+/// How much a processor fetches at a time.
+const LINE_BYTES: usize = 64;
+
+/// How many values are worth fetching together: more than a processor has under way, and few enough to stay at hand.
+pub(super) const AT_A_TIME: usize = 32;
+
+/// Brings some values near. Nothing here waits for what was read, as work on them would, so that they come together.
+pub(super) fn fetch<'a, T: Pod>(values: impl Iterator<Item = &'a T>) {
+    let of_each_line = |value| bytemuck::bytes_of::<T>(value).iter().step_by(LINE_BYTES);
+    black_box(values.flat_map(of_each_line).fold(0, |all, one| all ^ one));
+}
 
 impl<T: Pod> LargePages<T> {
     pub(super) fn new(values: Vec<T>) -> Self {

@@ -7,7 +7,7 @@
 
 use super::edge_block::{self, EdgeBlock};
 use super::lanes::{Boxes, DualLight, LANES, OneBox, lanes_of};
-use super::large_pages::LargePages;
+use super::large_pages::{AT_A_TIME, LargePages, fetch};
 use super::planes::{EdgeKind, EdgePlanes, Origin};
 use super::{BLOCKS_PER_TASK, EDGES_PER_TASK, Question, SilhouetteEdge, in_parallel};
 use crate::geometry::{Edge, Topology};
@@ -127,13 +127,16 @@ impl PlaneTree {
     fn blocks_to_ask(&self, light: &DualLight) -> Vec<&EdgeBlock> {
         let (mut nodes, mut below) = (vec![0], Vec::new());
         for level in self.levels.iter().rev() {
-            for &node in &nodes {
+            for nodes in nodes.chunks(AT_A_TIME) {
                 // Lanes without a box seem to meet every light.
-                let Some(boxes) = level.get(node as usize) else {
-                    continue;
-                };
-                let lanes = lanes_of(boxes.meeting(light));
-                below.extend(lanes.map(|lane| LANES as u32 * node + lane as u32));
+                let boxes = nodes
+                    .iter()
+                    .filter_map(|&node| Some((node, level.get(node as usize)?)));
+                fetch(boxes.clone().map(|(_, boxes)| boxes));
+                for (node, boxes) in boxes {
+                    let lanes = lanes_of(boxes.meeting(light));
+                    below.extend(lanes.map(|lane| LANES as u32 * node + lane as u32));
+                }
             }
             nodes.clear();
             std::mem::swap(&mut nodes, &mut below);

@@ -61,10 +61,6 @@ impl StepBox {
 }
 
 impl StepPoints {
-    pub(super) fn first(&self) -> u32 {
-        u32::from(self.0[0][0])
-    }
-
     pub(super) fn set(&mut self, lane: usize, point: Vec4, around: &StepBox) {
         let steps = (point - Vec4::from_array(around.low)) / Vec4::from_array(around.step);
         for (axis, steps) in self.0.iter_mut().zip(steps.round().to_array()) {
