@@ -66,21 +66,21 @@ fn extraction_in_a_frame(criterion: &mut Criterion) {
     group.bench_function("brute force", |bencher| {
         bencher.iter_custom(|frames| {
             in_frames(frames, |light, found| {
-                brute_force.silhouette(&mesh, &topology, light, found)
+                brute_force.silhouette(&mesh, &topology, light, found);
             })
         });
     });
     group.bench_function("plane tree", |bencher| {
         bencher.iter_custom(|frames| {
             in_frames(frames, |light, found| {
-                plane_tree.silhouette(&mesh, &topology, light, found)
+                plane_tree.silhouette(&mesh, &topology, light, found);
             })
         });
     });
     group.bench_function("hextree", |bencher| {
         bencher.iter_custom(|frames| {
             in_frames(frames, |light, found| {
-                hextree.silhouette(&mesh, &topology, light, found)
+                hextree.silhouette(&mesh, &topology, light, found);
             })
         });
     });

@@ -11,6 +11,10 @@ use crate::geometry::{Bounds, Edge, Topology};
 use crate::scene::mesh::Mesh;
 use glam::{DVec2, DVec3, DVec4, Vec2, Vec3, Vec4};
 
+/// How far lights are along an axis, in radii of the mesh. On the sphere grids trees ask fewest edges with 0.25 to 0.5, 10 %
+/// more with 1 or 0.1; Sponza hardly minds.
+const LIGHT_ALONG_AXIS: f32 = 0.3;
+
 /// Edges with more triangles are always asked.
 const MAX_TRIANGLES: usize = 64;
 
@@ -18,7 +22,7 @@ const MAX_TRIANGLES: usize = 64;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Origin {
     place: DVec3,
-    /// Lights are about as far away as the mesh is large, and a normal counts by that much.
+    /// Half the diagonal of the mesh's box.
     radius: f64,
 }
 
@@ -151,9 +155,10 @@ impl Origin {
             .min_by(|one, other| extent(one).total_cmp(&extent(other)))
     }
 
-    /// The middle of an edge's planes, weighed such that its components are equally important.
+    /// The middle of an edge's planes, its components weighed by how much they move a light's distance: a part of a normal
+    /// counts by that of the light's place along it.
     pub(super) fn centre(self, planes: &EdgePlanes) -> Vec4 {
-        let weights = Vec3::splat(self.radius as f32).extend(1.0);
+        let weights = Vec3::splat(LIGHT_ALONG_AXIS * self.radius as f32).extend(1.0);
         weights * (planes.points[0] + planes.points[1])
     }
 }
