@@ -5,6 +5,7 @@ pub mod bounds;
 pub mod edge_triangles;
 pub mod end_plane;
 pub mod facing;
+pub(crate) mod large_pages;
 pub mod near_volume;
 pub mod silhouette;
 pub mod topology;

@@ -4,7 +4,7 @@
 //! the light from the plane; its sign is the triangle's facing, wherever the distance is larger than rounding. So if all
 //! planes of an edge lie on one side of the hyperplane `q · L = 0`, all its triangles have the same facing.
 //!
-//! Planes are found in 64 bits, and kept and held against a light in 32.
+//! Planes are found in 64 bits and held against a light in 32; those of edges are kept in 16, along the sides of a box.
 
 use super::lanes::{DualLight, OneBox};
 use crate::geometry::{Bounds, Edge, Topology};

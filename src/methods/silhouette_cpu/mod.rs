@@ -218,6 +218,8 @@ impl CpuVolumes {
             ..
         } = self;
         faces.clear();
+        // Neighbours in a tree are far apart in space, and are drawn more slowly than neighbours in the mesh.
+        silhouette.sort_unstable_by_key(|found| found.edge);
         let all_alike = plans.iter().all(|plan| *plan == plans[0]);
         for found in &*silhouette {
             let plan = plans[if all_alike {
