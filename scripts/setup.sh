@@ -110,6 +110,8 @@ has_driver() {
     fi
     # A file or a folder of them.
     for folder in "${folders[@]}"; do
+        # Variables that are not set leave empty names.
+        [ -n "$folder" ] || continue
         for file in "$folder" "$folder"/*.json; do
             case $file in *.json) [ -r "$file" ] && return 0 ;; esac
         done
