@@ -14,8 +14,8 @@ pub(super) const LANES: usize = 8;
 #[repr(transparent)]
 pub(super) struct Lanes([Vec4; 2]);
 
-/// In units of 2⁻²⁴: a facing is found in 32 bits by up to eight roundings; a distance from a plane takes seven, those of
-/// plane and light to 32 bits among them. The rest is for the planes, found in 64 bits, and for the sum of the doubt.
+/// In units of 2⁻²⁴: a facing is found in 32 bits by up to eight roundings; a distance from a plane takes up to eight, those
+/// of plane and light to 32 bits among them. The rest is for the planes, found in 64 bits, and for the sum of the doubt.
 const ROUNDING: f32 = 20.0 / (1u32 << 24) as f32;
 
 /// A light as a hyperplane.
