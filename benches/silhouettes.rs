@@ -92,12 +92,8 @@ fn in_frames(frames: u64, mut extract: impl FnMut(Vec4, &mut Vec<SilhouetteEdge>
     let mut found = Vec::new();
     let mut drawn = vec![0u64; 1 << 23];
     let frame = |frame: u64| {
-        if std::env::var("THRASH").is_ok() {
-            drawn.par_iter_mut().for_each(|word| *word += frame);
-        }
-        if std::env::var("SLEEP").is_ok() {
-            std::thread::sleep(Duration::from_millis(5));
-        }
+        drawn.par_iter_mut().for_each(|word| *word += frame);
+        std::thread::sleep(Duration::from_millis(5));
         let turn = frame as f32 / 64.0;
         let light = LIGHT + 8.0 * Vec4::new(turn.cos(), 0.0, turn.sin(), 0.0);
         let start = Instant::now();

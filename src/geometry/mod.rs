@@ -5,7 +5,6 @@ pub mod bounds;
 pub mod edge_triangles;
 pub mod end_plane;
 pub mod facing;
-pub(crate) mod large_pages;
 pub mod near_volume;
 pub mod silhouette;
 pub mod topology;

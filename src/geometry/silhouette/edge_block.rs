@@ -1,10 +1,10 @@
 //! Edges eight at a time, with the planes of their triangles.
 
 use super::lanes::{DualLight, LANES, OneBox, lanes_of};
+use super::large_pages::{AT_A_TIME, fetch};
 use super::planes::{EdgeKind, EdgePlanes};
 use super::steps::{Sides, StepBox, StepPoints};
 use super::{Question, SilhouetteEdge};
-use crate::geometry::large_pages::{AT_A_TIME, fetch};
 use bytemuck::{Pod, Zeroable};
 
 /// Up to eight edges and the planes of two triangles on each. What their distances from a light leave open is decided by

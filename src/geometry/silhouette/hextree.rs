@@ -10,9 +10,9 @@
 
 use super::edge_block::{self, EdgeBlock};
 use super::lanes::{Boxes, DualLight, LANES, OneBox, lanes_of};
+use super::large_pages::LargePages;
 use super::planes::{Origin, PlaneBox};
 use super::{BLOCKS_PER_TASK, EDGES_PER_TASK, Question, SilhouetteEdge, in_parallel};
-use crate::geometry::large_pages::LargePages;
 use crate::geometry::{Edge, Topology};
 use crate::scene::mesh::Mesh;
 use glam::{BVec4, DVec2, DVec4, Vec4};

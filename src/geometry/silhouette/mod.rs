@@ -10,6 +10,7 @@ mod edge_block;
 mod facings;
 mod hextree;
 mod lanes;
+mod large_pages;
 mod plane_tree;
 mod planes;
 mod steps;

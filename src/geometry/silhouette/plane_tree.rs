@@ -7,9 +7,9 @@
 
 use super::edge_block::{self, EdgeBlock};
 use super::lanes::{Boxes, DualLight, LANES, OneBox, lanes_of};
+use super::large_pages::{AT_A_TIME, LargePages, fetch};
 use super::planes::{EdgeKind, EdgePlanes, Origin};
 use super::{BLOCKS_PER_TASK, EDGES_PER_TASK, Question, SilhouetteEdge, in_parallel};
-use crate::geometry::large_pages::{AT_A_TIME, LargePages, fetch};
 use crate::geometry::{Edge, Topology};
 use crate::scene::mesh::Mesh;
 use glam::Vec4;

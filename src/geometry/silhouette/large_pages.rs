@@ -7,7 +7,7 @@ use std::ops::Deref;
 
 /// Values on large pages, where the system has them. A silhouette takes a few bytes each of thousands of places in a tree:
 /// on pages of the usual size, finding where a page is takes longer than reading from it.
-pub(crate) enum LargePages<T> {
+pub(super) enum LargePages<T> {
     Mapped {
         bytes: MmapMut,
         values: usize,
@@ -23,16 +23,16 @@ const PAGE_BYTES: usize = 2 << 20;
 const LINE_BYTES: usize = 64;
 
 /// How many values are worth fetching together: more than a processor has under way, and few enough to stay at hand.
-pub(crate) const AT_A_TIME: usize = 32;
+pub(super) const AT_A_TIME: usize = 32;
 
 /// Brings some values near. Nothing here waits for what was read, as work on them would, so that they come together.
-pub(crate) fn fetch<'a, T: Pod>(values: impl Iterator<Item = &'a T>) {
+pub(super) fn fetch<'a, T: Pod>(values: impl Iterator<Item = &'a T>) {
     let of_each_line = |value| bytemuck::bytes_of::<T>(value).iter().step_by(LINE_BYTES);
     black_box(values.flat_map(of_each_line).fold(0, |all, one| all ^ one));
 }
 
 impl<T: Pod> LargePages<T> {
-    pub(crate) fn new(values: Vec<T>) -> Self {
+    pub(super) fn new(values: Vec<T>) -> Self {
         let from: &[u8] = bytemuck::cast_slice(&values);
         if from.len() < PAGE_BYTES {
             return Self::Usual(values);
