@@ -5,6 +5,7 @@
 pub mod cli;
 pub mod config;
 
+pub mod advise;
 pub mod profile;
 pub mod report;
 pub mod stress;

@@ -1,98 +1,14 @@
-// Moves the depth of a lit side to the right side of the light planes through its own edges.
-//
-// Shadow volumes start from edges of the very triangle that a pixel shows, and close to such an edge the
-// depth buffer cannot always tell the surface from the side quad. A rasteriser snaps vertices to its grid, so a
-// pixel may show a triangle that its centre just misses; depth then comes from the plane beyond the edge, where
-// surface and side quad have changed places. And where the light grazes the surface, both are in one plane but
-// for the last bits of depth. Which of the two comes first along the line of sight is known without any depth:
-// the surface lies on the triangle's side of the light plane, and so does the eye, or not.
-#include "shared/frame.wgsl"
-#include "shared/facing.wgsl"
+// Moves depth where visible_triangles.wgsl says so. A pass of its own, for depth that is written everywhere would have to be
+// computed everywhere, to the bits of the rasteriser.
 #include "shared/fullscreen.wgsl"
-#include "shared/visible_triangle.wgsl"
 
-// How far a snapped vertex may be from its place, as part of a pixel: half a step of the grid.
-const SNAP_PX: f32 = 1.0 / 512.0;
-
-// How far apart surface and side quad must be for the rasteriser's arithmetic to tell them apart, as part of the
-// distance: eight times the last bit of a float. Less leaves side quads before surfaces that the light grazes,
-// and more moves surfaces past side quads of other edges.
-const ROUNDING: f32 = 1e-6;
-
-// Edges whose light plane is farther from the surface than this part of the distance are not in question.
-const NEAR_SURFACE: f32 = 0.01;
-
-// The line of sight through a pixel's centre. A point of it is the eye plus w times `ray`, where w is its
-// distance before the eye; `ray_dx` and `ray_dy` are how the ray changes from one pixel to the next.
-struct Sight {
-    ray: vec3<f32>,
-    ray_dx: vec3<f32>,
-    ray_dy: vec3<f32>,
-}
-
-fn sight_through(pixel: vec2<f32>) -> Sight {
-    let ndc = vec2<f32>(2.0 * pixel.x / frame.picture.x - 1.0, 1.0 - 2.0 * pixel.y / frame.picture.y);
-    let m = frame.clip_to_eye_ray;
-    return Sight(
-        (m * vec4<f32>(ndc, 0.0, 1.0)).xyz,
-        m[0].xyz * (2.0 / frame.picture.x),
-        m[1].xyz * (-2.0 / frame.picture.y),
-    );
-}
-
-// Where a plane meets the line of sight: w there, and its change from pixel to pixel.
-struct Crossing {
-    w: f32,
-    slope: vec2<f32>,
-    // Whether the ray comes out on the side that the normal points to.
-    along_normal: bool,
-}
-
-fn crossing(sight: Sight, normal: vec3<f32>, point: vec3<f32>) -> Crossing {
-    let along = dot(normal, sight.ray);
-    let w = dot(normal, point - frame.eye.xyz) / along;
-    let change = vec2<f32>(dot(normal, sight.ray_dx), dot(normal, sight.ray_dy));
-    return Crossing(w, -w * change / along, along > 0.0);
-}
-
-// Narrows the range of w in which the surface is on the triangle's side of the light plane through its edge from a
-// to b. `side` is the triangle's facing.
-fn narrow(range: vec2<f32>, sight: Sight, surface: Crossing, a: vec3<f32>, b: vec3<f32>, side: i32) -> vec2<f32> {
-    // Points to the triangle's side.
-    let normal = cross(frame.light.xyz - a * frame.light.w, b - a) * f32(side);
-    let plane = crossing(sight, normal, a);
-    // Not so either where the light plane is edge-on to the eye, and w not a number.
-    if !(abs(plane.w - surface.w) < NEAR_SURFACE * surface.w) {
-        return range;
-    }
-    let apart = abs(surface.slope - plane.slope);
-    let margin = SNAP_PX * (apart.x + apart.y) + ROUNDING * surface.w;
-    if plane.along_normal {
-        return vec2<f32>(max(range.x, plane.w + margin), range.y);
-    }
-    return vec2<f32>(range.x, min(range.y, plane.w - margin));
-}
+@group(0) @binding(0) var moved_depth: texture_2d<f32>;
 
 @fragment
 fn edge_depth(@builtin(position) at: vec4<f32>) -> @builtin(frag_depth) f32 {
-    let id = visible_id(at.xy);
-    if id == 0u {
+    let depth = textureLoad(moved_depth, vec2<i32>(at.xy), 0).x;
+    if depth > 1.0 {
         discard;
     }
-    let t = triangle_of(id);
-    let side = facing(t.a, t.b, t.c, frame.light);
-    if side * facing(t.a, t.b, t.c, frame.eye) <= 0 {
-        discard;
-    }
-    let sight = sight_through(at.xy);
-    let surface = crossing(sight, cross(t.b - t.a, t.c - t.a), t.a);
-    var range = vec2<f32>(0.0, 3e38);
-    range = narrow(range, sight, surface, t.a, t.b, side);
-    range = narrow(range, sight, surface, t.b, t.c, side);
-    range = narrow(range, sight, surface, t.c, t.a, side);
-    let w = clamp(surface.w, range.x, range.y);
-    if range.x > range.y || !(w < surface.w || w > surface.w) {
-        discard;
-    }
-    return depth_at(w);
+    return depth;
 }

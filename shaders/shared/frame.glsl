@@ -5,7 +5,7 @@ layout(set = 0, binding = 0, std140) uniform Frame {
     vec4 light;
     vec4 eye;
     vec4 picture;
-    vec4 end_plane;
+    vec4 end_planes[7];
 } frame;
 
 layout(set = 0, binding = 1, std430) readonly buffer Positions { vec4 positions[]; };

@@ -10,8 +10,8 @@ struct Frame {
     eye: vec4<f32>,
     // width, height in pixels; distance of the near plane; depth at infinity.
     picture: vec4<f32>,
-    // The plane on which shadow volumes may end, see geometry/end_plane.rs.
-    end_plane: vec4<f32>,
+    // The planes on which shadow volumes may end, the last at infinity: see geometry/end_plane.rs.
+    end_planes: array<vec4<f32>, 7>,
 }
 
 @group(0) @binding(0) var<uniform> frame: Frame;

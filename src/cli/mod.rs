@@ -1,6 +1,7 @@
 //! The command line: one subcommand a file, arguments in, calls out.
 
 mod accuracy;
+mod advise;
 mod earlier;
 mod fuzz;
 mod interrupt;
@@ -49,6 +50,8 @@ enum Command {
     Accuracy(accuracy::AccuracyArgs),
     /// Draw one frame with one method, and compare it with the truth.
     Render(render::RenderArgs),
+    /// Say what a scene needs: what the plan draws of its shadow volumes, what that saves, and which method to take.
+    Advise(advise::AdviseArgs),
     /// Follow the shadows of a day: pictures and hours of sun, by the truth and by methods.
     Profile(profile::ProfileArgs),
     /// Shrink a scene that a method draws wrong to the few triangles that matter.
@@ -152,6 +155,7 @@ impl Cli {
             Command::Run(args) => run::execute(&args, registry, None),
             Command::Accuracy(args) => accuracy::execute(&args, registry),
             Command::Render(args) => render::execute(&args, registry),
+            Command::Advise(args) => advise::execute(&args, registry),
             Command::Profile(args) => profile::execute(&args, registry),
             Command::Minimise(args) => minimise::execute(&args, registry),
             Command::Stress(args) => stress::execute(&args, registry),

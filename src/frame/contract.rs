@@ -27,6 +27,7 @@
 use super::{FrameResources, FrameView, SceneBuffers, Targets};
 use crate::gpu::{FrameRecorder, Gpu, Stage};
 use glam::DVec3;
+use std::ops::AddAssign;
 
 /// A method ready to draw frames of one scene.
 pub trait PreparedMethod {
@@ -49,9 +50,48 @@ pub trait PreparedMethod {
         None
     }
 
+    /// How it drew the shadow volumes of the last frame; `None` for methods without volumes.
+    fn drawn_volumes(&self) -> Option<DrawnVolumes> {
+        None
+    }
+
     /// What it counted while it was prepared, by name.
     fn counters(&self) -> Vec<(&'static str, u64)> {
         Vec::new()
+    }
+}
+
+/// How the shadow volumes of objects were drawn, in numbers of objects.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct DrawnVolumes {
+    /// Not at all: they cannot shadow anything in view.
+    pub culled: u32,
+    /// Of the others, counted z-pass.
+    pub z_pass: u32,
+    /// Of these, with the near rectangle in their volumes.
+    pub z_pass_counted: u32,
+    /// Counted z-fail.
+    pub z_fail: u32,
+    /// Only triangles that face the light cast.
+    pub light_facing: u32,
+    /// First these, then the rest by open edges.
+    pub each_side: u32,
+    /// All triangles cast.
+    pub all: u32,
+    /// Their volumes reach to infinity.
+    pub at_infinity: u32,
+}
+
+impl AddAssign for DrawnVolumes {
+    fn add_assign(&mut self, other: Self) {
+        self.culled += other.culled;
+        self.z_pass += other.z_pass;
+        self.z_pass_counted += other.z_pass_counted;
+        self.z_fail += other.z_fail;
+        self.light_facing += other.light_facing;
+        self.each_side += other.each_side;
+        self.all += other.all;
+        self.at_infinity += other.at_infinity;
     }
 }
 

@@ -68,8 +68,8 @@ pub struct FullscreenDesc<'a> {
     pub fragment: &'a str,
     /// What it reads.
     pub layout: &'a wgpu::PipelineLayout,
-    /// What it writes; `None` if that is depth alone.
-    pub format: Option<wgpu::TextureFormat>,
+    /// What it writes beside depth.
+    pub formats: Vec<wgpu::TextureFormat>,
     /// Values of the module's `override`s.
     pub constants: &'a [(&'a str, f64)],
     /// How what it writes is put together with what is there.
@@ -90,7 +90,7 @@ impl<'a> FullscreenDesc<'a> {
             module,
             fragment,
             layout,
-            format: Some(format),
+            formats: vec![format],
             constants: &[],
             blend: None,
             depth_stencil: None,
@@ -100,11 +100,13 @@ impl<'a> FullscreenDesc<'a> {
 
 /// Builds the pipeline: `fullscreen` of shared/fullscreen.wgsl, then the fragment shader.
 pub fn pipeline(device: &wgpu::Device, desc: &FullscreenDesc<'_>) -> wgpu::RenderPipeline {
-    let target = desc.format.map(|format| wgpu::ColorTargetState {
-        blend: desc.blend,
-        ..format.into()
-    });
-    let targets = target.map(Some);
+    let target = |&format: &wgpu::TextureFormat| {
+        Some(wgpu::ColorTargetState {
+            blend: desc.blend,
+            ..format.into()
+        })
+    };
+    let targets: Vec<_> = desc.formats.iter().map(target).collect();
     device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
         label: Some(desc.fragment),
         layout: Some(desc.layout),
@@ -124,7 +126,7 @@ pub fn pipeline(device: &wgpu::Device, desc: &FullscreenDesc<'_>) -> wgpu::Rende
                 constants: desc.constants,
                 ..Default::default()
             },
-            targets: targets.as_slice(),
+            targets: &targets,
         }),
         multiview_mask: None,
         cache: None,

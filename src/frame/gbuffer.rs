@@ -1,7 +1,8 @@
 //! The first stage: depth and triangle ids of everything, a draw call per object.
 
+use super::numbered::NumberedVertices;
 use super::targets::TRIANGLE_ID_FORMAT;
-use super::{DepthSetup, FrameUniform, SceneBuffers, Targets};
+use super::{DepthSetup, FrameUniform, FrameView, SceneBuffers, SceneExtents, Targets};
 use crate::gpu::{Gpu, shader};
 
 /// Pipeline of the G-buffer stage.
@@ -34,7 +35,7 @@ impl GBuffer {
                     module: &module,
                     entry_point: Some("vertex"),
                     compilation_options: wgpu::PipelineCompilationOptions::default(),
-                    buffers: &[],
+                    buffers: &[Some(NumberedVertices::layout())],
                 },
                 // Both sides of every surface are drawn: open meshes show their backs, and a front cap
                 // on the far plane is exact only if its caster is in the depth buffer.
@@ -68,9 +69,27 @@ impl GBuffer {
         uniform: &FrameUniform,
         scene: &SceneBuffers,
         targets: &Targets,
+        (view, extents): (&FrameView, &SceneExtents),
     ) -> u32 {
+        let mut pass = self.pass(encoder, targets);
+        pass.set_pipeline(&self.pipeline);
+        pass.set_bind_group(0, &uniform.bind_group, &[]);
+        pass.set_bind_group(1, &scene.bind_group, &[]);
+        let boxes = extents.objects.iter();
+        let objects = scene.objects.iter().zip(boxes);
+        let in_view = objects.filter(|(_, bounds)| view.may_see(**bounds));
+        scene
+            .numbered
+            .draw(&mut pass, in_view.map(|(object, _)| object))
+    }
+
+    fn pass<'a>(
+        &self,
+        encoder: &'a mut wgpu::CommandEncoder,
+        targets: &Targets,
+    ) -> wgpu::RenderPass<'a> {
         let stencil = targets.depth.format().has_stencil_aspect();
-        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+        encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("gbuffer"),
             color_attachments: &[Some(wgpu::RenderPassColorAttachment {
                 view: &targets.triangle_ids_view,
@@ -93,10 +112,6 @@ impl GBuffer {
                 }),
             }),
             ..Default::default()
-        });
-        pass.set_pipeline(&self.pipeline);
-        pass.set_bind_group(0, &uniform.bind_group, &[]);
-        pass.set_bind_group(1, &scene.bind_group, &[]);
-        scene.draw_corners(&mut pass)
+        })
     }
 }

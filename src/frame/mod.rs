@@ -10,6 +10,7 @@ mod depth;
 pub mod fullscreen;
 mod gbuffer;
 mod mask_pass;
+mod numbered;
 mod resolve;
 mod scene;
 mod shade;
@@ -18,7 +19,7 @@ mod uniform;
 mod view;
 mod visible_triangles;
 
-pub use contract::{Frame, PreparedMethod, TexelOf, Texels};
+pub use contract::{DrawnVolumes, Frame, PreparedMethod, TexelOf, Texels};
 pub use depth::{DepthFormat, DepthSetup};
 pub use gbuffer::GBuffer;
 pub use mask_pass::{MaskPass, MaskShader};
@@ -98,7 +99,7 @@ impl FrameResources {
             let uniform = FrameUniform::new(gpu);
             let gbuffer = GBuffer::new(gpu, &uniform, &scene, depth);
             let visible_triangles = VisibleTriangles::new(gpu, &uniform, &scene, &targets);
-            let shade = Shade::new(gpu, &uniform, &scene, &targets);
+            let shade = Shade::new(gpu, &targets);
             Ok(Self {
                 scene,
                 targets,
@@ -189,8 +190,7 @@ impl FrameResources {
     /// Records the last stage alone: shades with the mask as it is.
     pub fn record_shade(&self, frame: &mut FrameRecorder<'_>) {
         frame.stage(SHADE_STAGE, |stage| {
-            self.shade
-                .record(stage.encoder(), &self.uniform, &self.targets);
+            self.shade.record(stage.encoder(), &self.targets);
             stage.count_draws(1);
         });
     }
@@ -207,7 +207,8 @@ impl FrameResources {
         } = self;
         frame.stage(GBUFFER_STAGE, |stage| {
             let encoder = stage.encoder();
-            let draw_calls = gbuffer.record(encoder, uniform, scene, targets)
+            let view = (&self.view(), &*self.extents);
+            let draw_calls = gbuffer.record(encoder, uniform, scene, targets, view)
                 + visible_triangles.record(encoder, uniform, scene, targets);
             stage.count_draws(draw_calls);
         });

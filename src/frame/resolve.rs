@@ -48,8 +48,9 @@ impl StencilResolve {
         }
     }
 
-    /// Records the stage: adds the counted pixels to the mask.
-    pub fn record(&self, frame: &mut Frame<'_>) {
+    /// Records a stage, mostly [`RESOLVE_STAGE`]: adds to the mask the pixels with a count, where counting began with
+    /// `begun_with` instead of 0.
+    pub fn record(&self, frame: &mut Frame<'_>, stage: &'static str, begun_with: i32) {
         let Targets {
             mask_view,
             depth_view,
@@ -57,7 +58,7 @@ impl StencilResolve {
             height,
             ..
         } = frame.targets();
-        frame.stage(RESOLVE_STAGE, |stage| {
+        frame.stage(stage, |stage| {
             let load = wgpu::LoadOp::Load;
             let mut pass = fullscreen::pass(
                 stage.encoder(),
@@ -69,7 +70,8 @@ impl StencilResolve {
             pass.set_pipeline(&self.pipeline);
             let far = self.far;
             pass.set_viewport(0.0, 0.0, *width as f32, *height as f32, far, far);
-            pass.set_stencil_reference(0);
+            // Counts wrap around, so they need not really begin there.
+            pass.set_stencil_reference(begun_with.wrapping_neg() as u32 & 0xff);
             pass.draw(0..3, 0..1);
             drop(pass);
             stage.count_draws(1);

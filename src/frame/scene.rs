@@ -1,6 +1,8 @@
 //! A scene's triangles in device memory.
 
 use super::fullscreen::{bind_group, bind_group_layout};
+use super::numbered::NumberedVertices;
+use crate::gpu::native::VertexInput;
 use crate::gpu::{DeviceError, Gpu};
 use crate::scene::Mesh;
 use std::ops::Range;
@@ -11,6 +13,8 @@ pub struct SceneBuffers {
     pub positions: wgpu::Buffer,
     /// Three `u32` a triangle. Usable as index and as storage buffer.
     pub indices: wgpu::Buffer,
+    /// For the picture of triangle numbers.
+    pub(super) numbered: NumberedVertices,
     /// Layout of `bind_group`.
     pub layout: wgpu::BindGroupLayout,
     /// Positions and indices as storage buffers, for shaders that fetch vertices or look up a triangle.
@@ -31,6 +35,11 @@ fn indices_name(triangles: u64) -> String {
 impl SceneBuffers {
     /// Bytes from one vertex to the next: xyz and a 1, so that storage buffers can read `vec4`.
     pub const VERTEX_STRIDE: u64 = 16;
+
+    /// The positions as native pipelines take them.
+    pub const NATIVE_INPUT: VertexInput = VertexInput::Positions {
+        stride: Self::VERTEX_STRIDE as u32,
+    };
 
     /// Uploads `mesh`.
     ///
@@ -65,6 +74,7 @@ impl SceneBuffers {
         let resources = [positions.as_entire_binding(), indices.as_entire_binding()];
         let bind_group = bind_group(&gpu.device, &layout, &resources);
         Ok(Self {
+            numbered: NumberedVertices::new(gpu, mesh)?,
             positions,
             indices,
             layout,
@@ -101,17 +111,6 @@ impl SceneBuffers {
                 shader_location: 0,
             }],
         }
-    }
-
-    /// Draws the corners of all triangles, a call for each object; the number of a vertex is that of its place
-    /// in `indices`. Gives the number of draw calls.
-    pub fn draw_corners(&self, pass: &mut wgpu::RenderPass<'_>) -> u32 {
-        let mut draw_calls = 0;
-        for triangles in self.objects.iter().filter(|object| !object.is_empty()) {
-            draw_calls += 1;
-            pass.draw(3 * triangles.start..3 * triangles.end, 0..1);
-        }
-        draw_calls
     }
 
     /// Draws `objects`, one call each. Gives the number of draw calls.

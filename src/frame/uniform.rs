@@ -2,6 +2,7 @@
 
 use super::DepthSetup;
 use super::view::{FrameView, SceneExtents};
+use crate::geometry::EndPlane;
 use crate::gpu::Gpu;
 use crate::scene::{Moment, View};
 use bytemuck::{Pod, Zeroable};
@@ -16,7 +17,7 @@ struct FrameData {
     light: Vec4,
     eye: Vec4,
     picture: Vec4,
-    end_plane: Vec4,
+    end_planes: [Vec4; EndPlane::COUNT],
 }
 
 /// The uniform buffer of a frame, bound as group 0 in wgpu's passes.
@@ -90,7 +91,7 @@ impl FrameUniform {
             light: light.place,
             eye: view.eye.extend(1.0),
             picture: Vec4::new(width, height, view.near, depth.direction.far()),
-            end_plane: frame_view.end_plane,
+            end_planes: frame_view.end_planes.coefficients(),
         };
         gpu.queue
             .write_buffer(&self.buffer, 0, bytemuck::bytes_of(&data));

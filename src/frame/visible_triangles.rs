@@ -1,16 +1,17 @@
-//! Passes over the picture that ask which triangle is visible: what of the mask and of depth follows from it.
+//! Passes over the picture that ask which triangle is visible: what of the mask, of depth and of shading follows from it.
 
 use super::fullscreen::{self, FullscreenDesc, bind_group, bind_group_layout, texture_binding};
-use super::targets::MASK_FORMAT;
+use super::targets::{MASK_FORMAT, MOVED_DEPTH_FORMAT, SHADING_FORMAT};
 use super::{FrameUniform, SceneBuffers, Targets};
 use crate::gpu::{Gpu, shader};
 
 /// The last part of the G-buffer stage: the shadow mask that every method starts from, with the sides that face
-/// away from the light, and the depth of lit sides beside their own edges (see the two shaders).
+/// away from the light, the depth of lit sides beside their own edges, and what shading needs (see the shaders).
 pub struct VisibleTriangles {
-    dark_sides: wgpu::RenderPipeline,
-    edge_depth: wgpu::RenderPipeline,
+    visible: wgpu::RenderPipeline,
     ids: wgpu::BindGroup,
+    edge_depth: wgpu::RenderPipeline,
+    moved_depth: wgpu::BindGroup,
 }
 
 impl VisibleTriangles {
@@ -21,25 +22,41 @@ impl VisibleTriangles {
         targets: &Targets,
     ) -> Self {
         let device = &gpu.device;
-        let types = [texture_binding(wgpu::TextureSampleType::Uint)];
-        let ids_layout =
-            bind_group_layout(device, "triangle ids", wgpu::ShaderStages::FRAGMENT, &types);
-        let ids = wgpu::BindingResource::TextureView(&targets.triangle_ids_view);
-        let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
-            label: Some("visible triangles"),
-            bind_group_layouts: &[
-                Some(&uniform.layout),
-                Some(&scene.layout),
-                Some(&ids_layout),
-            ],
-            ..Default::default()
-        });
-        let module = |path| shader::wgsl(device, path);
-        let dark_sides = module("frame/dark_sides.wgsl");
-        let dark_sides = FullscreenDesc::new(&dark_sides, "dark_sides", &layout, MASK_FORMAT);
-        let edge_depth = module("frame/edge_depth.wgsl");
+        let input = |label, view, sample_type| {
+            let types = [texture_binding(sample_type)];
+            let layout = bind_group_layout(device, label, wgpu::ShaderStages::FRAGMENT, &types);
+            let group = bind_group(device, &layout, &[wgpu::BindingResource::TextureView(view)]);
+            (layout, group)
+        };
+        let pipeline_layout = |label, groups: &[Option<&wgpu::BindGroupLayout>]| {
+            device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+                label: Some(label),
+                bind_group_layouts: groups,
+                ..Default::default()
+            })
+        };
+        let ids = &targets.triangle_ids_view;
+        let (ids_layout, ids) = input("triangle ids", ids, wgpu::TextureSampleType::Uint);
+        let layouts = [
+            Some(&uniform.layout),
+            Some(&scene.layout),
+            Some(&ids_layout),
+        ];
+        let layout = pipeline_layout("visible triangles", &layouts);
+        let module = shader::wgsl(device, "frame/visible_triangles.wgsl");
+        let visible = FullscreenDesc {
+            formats: vec![MASK_FORMAT, MOVED_DEPTH_FORMAT, SHADING_FORMAT],
+            ..FullscreenDesc::new(&module, "visible_triangles", &layout, MASK_FORMAT)
+        };
+        let visible = fullscreen::pipeline(device, &visible);
+
+        let moved = &targets.moved_depth_view;
+        let plain = wgpu::TextureSampleType::Float { filterable: false };
+        let (moved_layout, moved_depth) = input("moved depth", moved, plain);
+        let layout = pipeline_layout("edge depth", &[Some(&moved_layout)]);
+        let module = shader::wgsl(device, "frame/edge_depth.wgsl");
         let edge_depth = FullscreenDesc {
-            format: None,
+            formats: Vec::new(),
             depth_stencil: Some(wgpu::DepthStencilState {
                 format: targets.depth.format(),
                 depth_write_enabled: Some(true),
@@ -47,12 +64,13 @@ impl VisibleTriangles {
                 stencil: wgpu::StencilState::default(),
                 bias: wgpu::DepthBiasState::default(),
             }),
-            ..FullscreenDesc::new(&edge_depth, "edge_depth", &layout, MASK_FORMAT)
+            ..FullscreenDesc::new(&module, "edge_depth", &layout, MASK_FORMAT)
         };
         Self {
-            dark_sides: fullscreen::pipeline(device, &dark_sides),
+            visible,
+            ids,
             edge_depth: fullscreen::pipeline(device, &edge_depth),
-            ids: bind_group(device, &ids_layout, &[ids]),
+            moved_depth,
         }
     }
 
@@ -64,19 +82,46 @@ impl VisibleTriangles {
         scene: &SceneBuffers,
         targets: &Targets,
     ) -> u32 {
-        let draw = |mut pass: wgpu::RenderPass<'_>, pipeline| {
-            pass.set_pipeline(pipeline);
-            pass.set_bind_group(0, &uniform.bind_group, &[]);
-            pass.set_bind_group(1, &scene.bind_group, &[]);
-            pass.set_bind_group(2, &self.ids, &[]);
-            pass.draw(0..3, 0..1);
-        };
-        let load = wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT);
-        let pass = fullscreen::pass(encoder, "dark sides", &targets.mask_view, load, None);
-        draw(pass, &self.dark_sides);
-        draw(depth_pass(encoder, targets), &self.edge_depth);
+        let mut pass = visible_pass(encoder, targets);
+        pass.set_pipeline(&self.visible);
+        pass.set_bind_group(0, &uniform.bind_group, &[]);
+        pass.set_bind_group(1, &scene.bind_group, &[]);
+        pass.set_bind_group(2, &self.ids, &[]);
+        pass.draw(0..3, 0..1);
+        drop(pass);
+        let mut pass = depth_pass(encoder, targets);
+        pass.set_pipeline(&self.edge_depth);
+        pass.set_bind_group(0, &self.moved_depth, &[]);
+        pass.draw(0..3, 0..1);
         2
     }
+}
+
+/// A pass that writes what a visible triangle decides.
+fn visible_pass<'a>(
+    encoder: &'a mut wgpu::CommandEncoder,
+    targets: &Targets,
+) -> wgpu::RenderPass<'a> {
+    let attachment = |view| {
+        Some(wgpu::RenderPassColorAttachment {
+            view,
+            depth_slice: None,
+            resolve_target: None,
+            ops: wgpu::Operations {
+                load: wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT),
+                store: wgpu::StoreOp::Store,
+            },
+        })
+    };
+    encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+        label: Some("visible triangles"),
+        color_attachments: &[
+            attachment(&targets.mask_view),
+            attachment(&targets.moved_depth_view),
+            attachment(&targets.shading_view),
+        ],
+        ..Default::default()
+    })
 }
 
 /// A pass that writes depth alone.

@@ -6,10 +6,13 @@ use rayon::prelude::*;
 use std::ops::Range;
 
 /// A triangle on an edge.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct EdgeTriangle(u32);
 
 impl EdgeTriangle {
+    /// Not found yet; no mesh has so many triangles.
+    const UNKNOWN: Self = Self(u32::MAX);
+
     fn new(triangle: usize, along: bool) -> Self {
         Self(2 * triangle as u32 + u32::from(!along))
     }
@@ -39,9 +42,9 @@ struct Stripe<'a> {
 }
 
 impl EdgeTriangles {
-    /// Finds them, on all cores. Of triangles with the same three vertices, the last stands for all.
+    /// Finds them, on all cores. Triangles with the same three vertices come in the order of the mesh.
     pub fn build(mesh: &Mesh, topology: &Topology) -> Self {
-        let mut triangles = vec![EdgeTriangle::default(); topology.opposites.len()];
+        let mut triangles = vec![EdgeTriangle::UNKNOWN; topology.opposites.len()];
         let stripes = stripes(mesh, topology, &mut triangles);
         stripes
             .into_par_iter()
@@ -59,9 +62,7 @@ impl EdgeTriangles {
     /// two triangles, one in either direction.
     pub fn closed_casters(&self, mesh: &Mesh, topology: &Topology) -> Vec<bool> {
         let is_closed = |edge: &Edge| match self.of(*edge) {
-            [one, other] => {
-                one.is_along() != other.is_along() && one.triangle() != other.triangle()
-            }
+            [one, other] => one.is_along() != other.is_along(),
             _ => false,
         };
         let objects = mesh.objects.iter().zip(&topology.object_edges);
@@ -129,12 +130,14 @@ impl Stripe<'_> {
                     let Some(edge) = of_low.iter().find(|edge| edge.b == from.max(to)) else {
                         continue;
                     };
-                    let own = topology
-                        .opposites_of(*edge)
-                        .iter()
-                        .zip((edge.first_opposite - base) as usize..);
-                    for (_, place) in own.filter(|(known, _)| **known == opposite) {
-                        self.triangles[place] = EdgeTriangle::new(number, from < to);
+                    let first = (edge.first_opposite - base) as usize;
+                    let opposites = topology.opposites_of(*edge).iter();
+                    let mut places = opposites.zip(&mut self.triangles[first..]);
+                    let is_its_place = |(known, found): &(&u32, &mut EdgeTriangle)| {
+                        **known == opposite && **found == EdgeTriangle::UNKNOWN
+                    };
+                    if let Some((_, place)) = places.find(is_its_place) {
+                        *place = EdgeTriangle::new(number, from < to);
                     }
                 }
             }
@@ -202,5 +205,7 @@ mod tests {
         assert_eq!(is_closed(&doubled), [false], "one face twice");
         let leaf = [[a, b, c], [a, b, c]];
         assert_eq!(is_closed(&leaf), [false], "a triangle and its copy");
+        let two_sided = [[a, b, c], [a, c, b]];
+        assert_eq!(is_closed(&two_sided), [true], "a leaf of two sides");
     }
 }

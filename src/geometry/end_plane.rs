@@ -8,10 +8,10 @@
 use super::Bounds;
 use glam::{DVec3, Vec4};
 
-/// The plane at infinity, in the form of [`end_plane`].
-pub const AT_INFINITY: Vec4 = Vec4::W;
+/// The plane at infinity, in the form of [`EndPlanes`].
+const AT_INFINITY: Vec4 = Vec4::W;
 
-/// The plane lies this part of the scene's size beyond the scene.
+/// The planes lie this part of the scene's size beyond the scene.
 const MARGIN: f64 = 1e-3;
 
 /// And at least this part of the largest coordinate: far from the origin, the shaders' single precision
@@ -22,39 +22,105 @@ const ROUNDING: f64 = 1e-5;
 /// allowed: beyond it, far ends would be flung too far away, and above it there would be none.
 const MAX_HEIGHT: f64 = 0.9;
 
-/// The plane on which all shadow volumes may end: the coefficients e, with e · (p, 1) ≥ 0 for all of
-/// the scene; [`AT_INFINITY`] where there is no such plane among the sides of the scene's box.
-///
-/// The point on it in the shadow of p is (e · l) p − (e · p) l, for a light l at a point (w = 1) or at
-/// infinity (w = 0). The plane at infinity, (0, 0, 0, 1), gives p − l and −l with w = 0.
-pub fn end_plane(scene: Bounds, casters: Bounds, light: Vec4) -> Vec4 {
-    if scene.is_empty() || casters.is_empty() {
-        return AT_INFINITY;
+/// Normals of the sides of a box, into it.
+const INWARD: [DVec3; 6] = [
+    DVec3::X,
+    DVec3::NEG_X,
+    DVec3::Y,
+    DVec3::NEG_Y,
+    DVec3::Z,
+    DVec3::NEG_Z,
+];
+
+/// The number of one of [`EndPlanes`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub struct EndPlane(u8);
+
+impl EndPlane {
+    /// The plane at infinity.
+    pub const INFINITY: Self = Self(INWARD.len() as u8);
+
+    /// How many there are.
+    pub const COUNT: usize = INWARD.len() + 1;
+
+    /// Its place in [`EndPlanes::coefficients`].
+    pub fn index(self) -> usize {
+        usize::from(self.0)
     }
-    let size = (scene.high - scene.low).max_element();
-    let light_at = light.truncate().as_dvec3();
-    let largest = scene.low.abs().max(scene.high.abs()).max_element();
-    let margin = (MARGIN * size).max(ROUNDING * largest.max(light_at.abs().max_element()));
-    let is_point = light.w != 0.0;
-    let sides = [DVec3::X, DVec3::Y, DVec3::Z]
-        .into_iter()
-        .flat_map(|axis| [axis, -axis]);
-    let candidates = sides.filter_map(|inward| {
-        let distance = margin - scene.range_along(inward).0;
-        // Smaller is better: how far the farthest ends are flung.
-        let height = if is_point {
-            let of_light = inward.dot(light_at) + distance;
-            let of_casters = casters.range_along(inward).1 + distance;
-            (of_light > 0.0).then(|| of_casters / of_light)
-        } else {
-            let cosine = inward.dot(light_at.normalize());
-            (cosine > 0.0).then_some(1.0 - cosine)
-        }?;
-        (height <= MAX_HEIGHT).then(|| (height, inward.extend(distance).as_vec4()))
-    });
-    candidates
-        .min_by(|a, b| a.0.total_cmp(&b.0))
-        .map_or(AT_INFINITY, |(_, plane)| plane)
+}
+
+/// The planes on which the shadow volumes of a frame may end: beside the sides of the scene's box, and at infinity.
+#[derive(Debug, Clone, Copy)]
+pub struct EndPlanes {
+    light: Vec4,
+    /// How far beyond the scene each is from the origin; `None` where volumes may not end.
+    distances: [Option<f64>; INWARD.len()],
+}
+
+impl EndPlanes {
+    /// For a scene, as volumes of `light` may end with these corners of the near rectangle: back caps count
+    /// everywhere, so nothing visible may be behind them.
+    pub fn new(scene: Bounds, light: Vec4, near_rectangle: &[DVec3]) -> Self {
+        if scene.is_empty() {
+            return Self {
+                light,
+                distances: Default::default(),
+            };
+        }
+        let size = (scene.high - scene.low).max_element();
+        let light_at = light.truncate().as_dvec3();
+        let largest = scene.low.abs().max(scene.high.abs()).max_element();
+        let margin = (MARGIN * size).max(ROUNDING * largest.max(light_at.abs().max_element()));
+        let distance = |inward: DVec3| {
+            let distance = margin - scene.range_along(inward).0;
+            let is_before = |corner: &DVec3| inward.dot(*corner) + distance > 0.0;
+            near_rectangle.iter().all(is_before).then_some(distance)
+        };
+        Self {
+            light,
+            distances: INWARD.map(distance),
+        }
+    }
+
+    /// The coefficients e of each plane, with e · (p, 1) ≥ 0 for all of the scene.
+    ///
+    /// The point on it in the shadow of p is (e · l) p − (e · p) l, for a light l at a point (w = 1) or at
+    /// infinity (w = 0). The plane at infinity, (0, 0, 0, 1), gives p − l and −l with w = 0.
+    pub fn coefficients(&self) -> [Vec4; EndPlane::COUNT] {
+        let mut planes = [AT_INFINITY; EndPlane::COUNT];
+        for ((plane, inward), distance) in planes.iter_mut().zip(INWARD).zip(self.distances) {
+            if let Some(distance) = distance {
+                *plane = inward.extend(distance).as_vec4();
+            }
+        }
+        planes
+    }
+
+    /// Where the volumes of what casts within a box may end: on the plane that flings their far ends least;
+    /// [`EndPlane::INFINITY`] where none will do.
+    pub fn of(&self, casters: Bounds) -> EndPlane {
+        if casters.is_empty() {
+            return EndPlane::INFINITY;
+        }
+        let light = self.light.truncate().as_dvec3();
+        let planes = (0..).zip(INWARD).zip(self.distances);
+        let candidates = planes.filter_map(|((number, inward), distance)| {
+            let distance = distance?;
+            // Smaller is better: how far the farthest ends are flung.
+            let height = if self.light.w != 0.0 {
+                let of_light = inward.dot(light) + distance;
+                let of_casters = casters.range_along(inward).1 + distance;
+                (of_light > 0.0).then(|| of_casters / of_light)
+            } else {
+                let cosine = inward.dot(light.normalize());
+                (cosine > 0.0).then_some(1.0 - cosine)
+            }?;
+            (height <= MAX_HEIGHT).then_some((height, EndPlane(number)))
+        });
+        candidates
+            .min_by(|a, b| a.0.total_cmp(&b.0))
+            .map_or(EndPlane::INFINITY, |(_, plane)| plane)
+    }
 }
 
 #[cfg(test)]
@@ -69,6 +135,11 @@ mod tests {
         low: DVec3::new(-12.0, 0.2, -12.0),
         high: DVec3::new(12.0, 2.3, 12.0),
     };
+
+    fn end_plane(scene: Bounds, casters: Bounds, light: Vec4) -> Vec4 {
+        let planes = EndPlanes::new(scene, light, &[]);
+        planes.coefficients()[planes.of(casters).index()]
+    }
 
     #[test]
     fn under_a_lamp_it_is_the_floor() {
@@ -104,6 +175,31 @@ mod tests {
         let terms = plane * lowest;
         let of_lowest = terms.x + terms.y + terms.z + terms.w;
         assert!(of_lowest > 0.5, "{plane} {of_lowest}");
+    }
+
+    #[test]
+    fn what_is_seen_from_beyond_a_plane_does_not_end_there() {
+        let light = Vec4::new(3.0, 20.0, 5.0, 1.0);
+        let planes = EndPlanes::new(SCENE, light, &[DVec3::new(0.0, -1.0, 0.0)]);
+        assert_eq!(planes.of(CASTERS), EndPlane::INFINITY);
+    }
+
+    #[test]
+    fn in_a_room_each_wall_ends_beyond_itself() {
+        let room = Bounds {
+            low: DVec3::splat(-10.0),
+            high: DVec3::splat(10.0),
+        };
+        let planes = EndPlanes::new(room, Vec4::W, &[]);
+        assert_eq!(planes.of(room), EndPlane::INFINITY);
+        for (side, inward) in INWARD.into_iter().enumerate() {
+            let at = inward * -9.0;
+            let wall = Bounds {
+                low: at - 0.5,
+                high: at + 0.5,
+            };
+            assert_eq!(planes.of(wall).index(), side);
+        }
     }
 
     #[test]

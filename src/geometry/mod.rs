@@ -5,13 +5,17 @@ pub mod bounds;
 pub mod edge_triangles;
 pub mod end_plane;
 pub mod facing;
+pub mod near_count;
 pub mod near_volume;
+pub mod open_edges;
 pub mod silhouette;
 pub mod topology;
 
 pub use bounds::Bounds;
 pub use edge_triangles::{EdgeTriangle, EdgeTriangles};
-pub use end_plane::end_plane;
+pub use end_plane::{EndPlane, EndPlanes};
 pub use facing::{Determinism, facing, vertex_less};
+pub use near_count::{Casts, NearCount, NearCounts, NearRay};
 pub use near_volume::NearVolume;
+pub use open_edges::OpenEdges;
 pub use topology::{Edge, EdgeCounts, Topology};

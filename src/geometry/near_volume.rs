@@ -22,6 +22,8 @@ const ACROSS: f64 = 1e-12;
 /// special cases: a light in the near plane makes the volume flat, nothing else.
 #[derive(Debug, Clone)]
 pub struct NearVolume {
+    corners: [DVec3; 4],
+    light: Vec4,
     /// Axes, and the range of the volume along each, margin included.
     ranges: Vec<(DVec3, f64, f64)>,
 }
@@ -30,43 +32,55 @@ impl NearVolume {
     /// From the corners of the near rectangle, in order around it, and the light: a point with w = 1,
     /// or with w = 0 the direction towards it.
     pub fn new(corners: [DVec3; 4], light: Vec4) -> Self {
-        let towards = |from: DVec3| light.truncate().as_dvec3() - from * f64::from(light.w);
-        let sides = (0..4).map(|i| (corners[(i + 1) % 4] - corners[i]).cross(towards(corners[i])));
+        let mut volume = Self {
+            corners,
+            light,
+            ranges: Vec::new(),
+        };
+        let sides = (0..4)
+            .map(|i| (corners[(i + 1) % 4] - corners[i]).cross(volume.towards_light(corners[i])));
         let plane = (corners[1] - corners[0]).cross(corners[3] - corners[0]);
         let axes = [DVec3::X, DVec3::Y, DVec3::Z, plane]
             .into_iter()
             .chain(sides);
-        let light_point = light.truncate().as_dvec3();
-        let is_point = light.w != 0.0;
-        let points = corners.iter().chain(is_point.then_some(&light_point));
-        let size = points
-            .clone()
-            .fold(0.0, |size: f64, p| size.max(p.abs().max_element()));
-        let range = |axis: DVec3| {
-            let along = points.clone().map(|p| axis.dot(*p));
-            let (mut low, mut high) = along
-                .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), d| {
-                    (l.min(d), h.max(d))
-                });
-            if !is_point {
-                // The volume goes on for ever towards the light, but for axes across it; these are
-                // normals of its sides, and across it but for rounding in double precision.
-                let slope = axis.dot(light_point.normalize());
-                if slope > ACROSS {
-                    high = f64::INFINITY;
-                } else if slope < -ACROSS {
-                    low = f64::NEG_INFINITY;
-                }
+        // A flat volume has sides without a normal.
+        volume.ranges = axes
+            .filter_map(|axis| axis.try_normalize())
+            .map(|axis| {
+                let (low, high) = volume.range_along(axis);
+                (axis, low, high)
+            })
+            .collect();
+        volume
+    }
+
+    /// The corners of the near rectangle, in order around it.
+    pub fn near_rectangle(&self) -> [DVec3; 4] {
+        self.corners
+    }
+
+    fn towards_light(&self, from: DVec3) -> DVec3 {
+        self.light.truncate().as_dvec3() - from * f64::from(self.light.w)
+    }
+
+    /// The range of the volume along an axis of length 1, margin included.
+    fn range_along(&self, axis: DVec3) -> (f64, f64) {
+        let light_point = self.light.truncate().as_dvec3();
+        let is_point = self.light.w != 0.0;
+        let points = || self.corners.iter().chain(is_point.then_some(&light_point));
+        let margin = MARGIN * largest_coordinate(points());
+        let (mut low, mut high) = range(axis, points());
+        if !is_point {
+            // The volume goes on for ever towards the light, but for axes across it; these are
+            // normals of its sides, and across it but for rounding in double precision.
+            let slope = axis.dot(light_point.normalize());
+            if slope > ACROSS {
+                high = f64::INFINITY;
+            } else if slope < -ACROSS {
+                low = f64::NEG_INFINITY;
             }
-            (axis, low - MARGIN * size, high + MARGIN * size)
-        };
-        Self {
-            // A flat volume has sides without a normal.
-            ranges: axes
-                .filter_map(|axis| axis.try_normalize())
-                .map(range)
-                .collect(),
         }
+        (low - margin, high + margin)
     }
 
     /// Whether something in the box may cast a shadow on a point of the near rectangle. Errs to true.
@@ -80,6 +94,60 @@ impl NearVolume {
             last + MARGIN * size >= low && first - MARGIN * size <= high
         })
     }
+
+    /// Whether a point of an edge may shadow a point of the near rectangle. Errs to true.
+    pub fn may_meet_segment(&self, ends: [DVec3; 2]) -> bool {
+        let margin = MARGIN * largest_coordinate(&ends);
+        let meets = |axis: DVec3, low: f64, high: f64| {
+            let (first, last) = range(axis, &ends);
+            last + margin >= low && first - margin <= high
+        };
+        let [a, b, _, d] = self.corners;
+        let edges = [b - a, d - a]
+            .into_iter()
+            .chain(self.corners.map(|corner| self.towards_light(corner)));
+        let across = || edges.filter_map(|edge| edge.cross(ends[1] - ends[0]).try_normalize());
+        self.ranges
+            .iter()
+            .all(|&(axis, low, high)| meets(axis, low, high))
+            && across().all(|axis| {
+                let (low, high) = self.range_along(axis);
+                meets(axis, low, high)
+            })
+    }
+
+    /// Whether a triangle may have a point on the near rectangle. Errs to true.
+    pub fn may_meet_near_rectangle(&self, triangle: [DVec3; 3]) -> bool {
+        let margin = MARGIN * largest_coordinate(&triangle).max(largest_coordinate(&self.corners));
+        let [a, b, c] = triangle;
+        let [p, q, _, r] = self.corners;
+        let normals = [(b - a).cross(c - a), (q - p).cross(r - p)];
+        let across = [b - a, c - b, a - c]
+            .into_iter()
+            .flat_map(|edge| [edge.cross(q - p), edge.cross(r - p)]);
+        let separates = |axis: DVec3| {
+            let (low, high) = range(axis, &self.corners);
+            let (first, last) = range(axis, &triangle);
+            last + margin < low || first - margin > high
+        };
+        !normals
+            .into_iter()
+            .chain(across)
+            .filter_map(DVec3::try_normalize)
+            .any(separates)
+    }
+}
+
+fn range<'a>(axis: DVec3, points: impl IntoIterator<Item = &'a DVec3>) -> (f64, f64) {
+    let along = points.into_iter().map(|p| axis.dot(*p));
+    along.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), d| {
+        (low.min(d), high.max(d))
+    })
+}
+
+fn largest_coordinate<'a>(points: impl IntoIterator<Item = &'a DVec3>) -> f64 {
+    let sizes = points.into_iter().map(|p| p.abs().max_element());
+    sizes.fold(0.0, f64::max)
 }
 
 #[cfg(test)]

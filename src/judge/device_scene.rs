@@ -4,20 +4,20 @@ use super::NoPicture;
 use crate::frame::{DepthSetup, FrameResources, PreparedMethod};
 use crate::geometry::Topology;
 use crate::gpu::{DeviceError, Gpu};
-use crate::methods::{self, PrepareContext, ShadowMethod};
+use crate::methods::{self, Derived, PrepareContext, ShadowMethod};
 use crate::scene::{Moment, Scene};
-use std::cell::{OnceCell, RefCell};
+use std::cell::RefCell;
 use std::rc::Rc;
 
-/// A scene on a device at one size: frame resources for each depth buffer that methods ask for, and the topology
-/// that they share.
+/// A scene on a device at one size: frame resources for each depth buffer that methods ask for, and what they
+/// derive from the mesh.
 pub struct DeviceScene<'a> {
     /// The device.
     pub gpu: Gpu,
     /// The scene as data.
     pub scene: &'a Scene,
     resources: RefCell<Vec<Rc<FrameResources>>>,
-    topology: Rc<OnceCell<Rc<Topology>>>,
+    derived: Rc<Derived>,
 }
 
 /// A method that can draw frames of a scene.
@@ -43,7 +43,7 @@ impl<'a> DeviceScene<'a> {
             gpu: gpu.clone(),
             scene,
             resources: RefCell::new(vec![Rc::new(usual)]),
-            topology: Rc::default(),
+            derived: Rc::default(),
         })
     }
 
@@ -71,7 +71,7 @@ impl<'a> DeviceScene<'a> {
         let check = method.info().check(&self.gpu);
         check.map_err(NoPicture::Unavailable)?;
         let resources = self.resources(method.depth_setup())?;
-        let context = PrepareContext::sharing(&self.gpu, self.scene, &resources, &self.topology);
+        let context = PrepareContext::sharing(&self.gpu, self.scene, &resources, &self.derived);
         let prepared = methods::prepare(method, &context).map_err(anyhow::Error::from)?;
         Ok(ReadyMethod {
             method: prepared,
@@ -81,7 +81,7 @@ impl<'a> DeviceScene<'a> {
 
     /// The scene's topology, if a method has asked for it.
     pub fn topology_if_built(&self) -> Option<&Topology> {
-        self.topology.get().map(|topology| &**topology)
+        self.derived.topology()
     }
 }
 

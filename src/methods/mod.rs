@@ -12,9 +12,11 @@ mod frustum;
 mod light_depth;
 mod limit;
 mod parameters;
+mod plan;
 mod portable_volumes;
 mod registry;
 mod shadow_map;
+mod side_quad;
 mod silhouette;
 mod silhouette_cpu;
 mod silhouette_gs;
@@ -33,7 +35,7 @@ pub use parameters::{
 pub use registry::{Registration, Registry};
 
 use crate::frame::{DepthSetup, FrameResources, PreparedMethod};
-use crate::geometry::Topology;
+use crate::geometry::{EdgeTriangles, OpenEdges, Topology};
 use crate::gpu::{Capability, DeviceError, Gpu};
 use crate::scene::Scene;
 use crate::variant::Variant;
@@ -116,7 +118,22 @@ pub struct PrepareContext<'a> {
     pub scene: &'a Scene,
     /// The scene on the device, targets and view.
     pub resources: &'a FrameResources,
-    topology: Rc<OnceCell<Rc<Topology>>>,
+    derived: Rc<Derived>,
+}
+
+/// What methods derive from a mesh, once one of them asks for it.
+#[derive(Default)]
+pub struct Derived {
+    topology: OnceCell<Rc<Topology>>,
+    edge_triangles: OnceCell<Rc<EdgeTriangles>>,
+    open_edges: OnceCell<Rc<OpenEdges>>,
+}
+
+impl Derived {
+    /// The topology, if a method has asked for it.
+    pub fn topology(&self) -> Option<&Topology> {
+        self.topology.get().map(|topology| &**topology)
+    }
 }
 
 impl<'a> PrepareContext<'a> {
@@ -126,30 +143,42 @@ impl<'a> PrepareContext<'a> {
             gpu,
             scene,
             resources,
-            topology: Rc::default(),
+            derived: Rc::default(),
         }
     }
 
-    /// For the methods of one scene, of whose topology somebody else keeps hold.
+    /// For the methods of one scene; what they derive from it somebody else keeps.
     pub fn sharing(
         gpu: &'a Gpu,
         scene: &'a Scene,
         resources: &'a FrameResources,
-        topology: &Rc<OnceCell<Rc<Topology>>>,
+        derived: &Rc<Derived>,
     ) -> Self {
-        let topology = Rc::clone(topology);
         Self {
             gpu,
             scene,
             resources,
-            topology,
+            derived: Rc::clone(derived),
         }
     }
 
     /// Edges with their opposite vertices; built when the first method asks.
     pub fn topology(&self) -> &Rc<Topology> {
-        self.topology
+        self.derived
+            .topology
             .get_or_init(|| Rc::new(Topology::build(&self.scene.mesh)))
+    }
+
+    /// The triangles of these edges; found when the first method asks.
+    pub fn edge_triangles(&self) -> &Rc<EdgeTriangles> {
+        let find = || EdgeTriangles::build(&self.scene.mesh, self.topology());
+        self.derived.edge_triangles.get_or_init(|| Rc::new(find()))
+    }
+
+    /// The edges where surfaces end; found when the first method asks.
+    pub fn open_edges(&self) -> &Rc<OpenEdges> {
+        let find = || OpenEdges::new(&self.scene.mesh, self.topology(), self.edge_triangles());
+        self.derived.open_edges.get_or_init(|| Rc::new(find()))
     }
 }
 

@@ -1,22 +1,26 @@
 //! Shadow volumes whose faces are lists of corners, counted in the stencil buffer by wgpu's own passes: no native stage.
 //!
-//! Corners are numbered: twice the vertex, and one more for the far end of its shadow.
-
-use super::PrepareContext;
-use super::volume_parameters::{Reach, VolumeParameters};
+use super::volume_parameters::VolumeParameters;
+use super::{MethodError, PrepareContext};
 use crate::frame::{FrameResources, StencilResolve};
+use crate::geometry::EndPlane;
 use crate::gpu::{DepthDirection, Stage, shader};
+use crate::scene::Mesh;
 use std::ops::Range;
 use wgpu::StencilOperation::{DecrementWrap, IncrementWrap};
 
+/// Bits of a corner's number that are the vertex; those above are 0 at the vertex itself, and at the far end of its shadow 1
+/// and more, the end plane.
+const VERTEX_BITS: u32 = 29;
+
 /// The number of the corner at a vertex.
 pub(super) const fn near(vertex: u32) -> u32 {
-    2 * vertex
+    vertex
 }
 
 /// The number of the corner at the far end of a vertex's shadow.
-pub(super) const fn far(vertex: u32) -> u32 {
-    2 * vertex + 1
+pub(super) fn far(vertex: u32, end: EndPlane) -> u32 {
+    vertex | (end.index() as u32 + 1) << VERTEX_BITS
 }
 
 /// How the pixels of a face count.
@@ -37,6 +41,8 @@ pub(super) struct Corners {
     pub(super) depth_passes: Range<u32>,
     pub(super) depth_fails: Range<u32>,
     pub(super) everywhere: Range<u32>,
+    /// Counted after the others are in the mask, where depth passes.
+    pub(super) of_open_edges: Range<u32>,
 }
 
 /// The pipelines.
@@ -48,8 +54,12 @@ pub(super) struct PortableVolumes {
 }
 
 impl PortableVolumes {
-    pub(super) fn new(context: &PrepareContext<'_>, parameters: &VolumeParameters) -> Self {
+    pub(super) fn new(
+        context: &PrepareContext<'_>,
+        parameters: &VolumeParameters,
+    ) -> Result<Self, MethodError> {
         let PrepareContext { gpu, resources, .. } = context;
+        check(&context.scene.mesh)?;
         let device = &gpu.device;
         let module = shader::wgsl(device, "methods/volumes/corner.wgsl");
         let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
@@ -60,7 +70,6 @@ impl PortableVolumes {
             ],
             ..Default::default()
         });
-        let reach_infinity = f64::from(u8::from(parameters.reach == Reach::Infinity));
         let pipeline = |count| {
             device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
                 label: Some("volumes"),
@@ -68,10 +77,7 @@ impl PortableVolumes {
                 vertex: wgpu::VertexState {
                     module: &module,
                     entry_point: Some("corner"),
-                    compilation_options: wgpu::PipelineCompilationOptions {
-                        constants: &[("reach_infinity", reach_infinity)],
-                        ..Default::default()
-                    },
+                    compilation_options: wgpu::PipelineCompilationOptions::default(),
                     buffers: &[],
                 },
                 primitive: wgpu::PrimitiveState::default(),
@@ -86,15 +92,15 @@ impl PortableVolumes {
                 cache: None,
             })
         };
-        Self {
+        Ok(Self {
             depth_passes: pipeline(Count::DepthPasses),
             depth_fails: pipeline(Count::DepthFails),
             everywhere: pipeline(Count::Everywhere),
             resolve: StencilResolve::new(gpu, parameters.depth_setup()),
-        }
+        })
     }
 
-    /// Counts the faces whose corners are in `elements`.
+    /// Counts the faces whose corners are in `elements`, but for those of open edges.
     pub(super) fn record(
         &self,
         stage: &mut Stage<'_, '_>,
@@ -102,43 +108,77 @@ impl PortableVolumes {
         elements: &wgpu::Buffer,
         corners: &Corners,
     ) {
-        let mut pass = stage
-            .encoder()
-            .begin_render_pass(&wgpu::RenderPassDescriptor {
-                label: Some("volumes"),
-                depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
-                    view: &resources.targets.depth_view,
-                    depth_ops: Some(wgpu::Operations {
-                        load: wgpu::LoadOp::Load,
-                        store: wgpu::StoreOp::Store,
-                    }),
-                    stencil_ops: Some(wgpu::Operations {
-                        load: wgpu::LoadOp::Load,
-                        store: wgpu::StoreOp::Store,
-                    }),
-                }),
-                ..Default::default()
-            });
-        pass.set_bind_group(0, &resources.uniform.bind_group, &[]);
-        pass.set_bind_group(1, &resources.scene.bind_group, &[]);
-        pass.set_index_buffer(elements.slice(..), wgpu::IndexFormat::Uint32);
         let draws = [
             (&self.depth_passes, &corners.depth_passes),
             (&self.depth_fails, &corners.depth_fails),
             (&self.everywhere, &corners.everywhere),
         ];
-        pass.set_stencil_reference(0);
-        let mut draw_calls = 0;
-        for (pipeline, corners) in draws {
-            if !corners.is_empty() {
-                pass.set_pipeline(pipeline);
-                pass.draw_indexed(corners.clone(), 0, 0..1);
-                draw_calls += 1;
-            }
-        }
-        drop(pass);
-        stage.count_draws(draw_calls);
+        draw(stage, resources, elements, &draws);
     }
+
+    /// Goes on counting with those.
+    pub(super) fn record_open_edges(
+        &self,
+        stage: &mut Stage<'_, '_>,
+        resources: &FrameResources,
+        elements: &wgpu::Buffer,
+        corners: &Corners,
+    ) {
+        let draws = [(&self.depth_passes, &corners.of_open_edges)];
+        draw(stage, resources, elements, &draws);
+    }
+}
+
+fn draw(
+    stage: &mut Stage<'_, '_>,
+    resources: &FrameResources,
+    elements: &wgpu::Buffer,
+    draws: &[(&wgpu::RenderPipeline, &Range<u32>)],
+) {
+    let mut pass = stage
+        .encoder()
+        .begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some("volumes"),
+            depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
+                view: &resources.targets.depth_view,
+                depth_ops: Some(wgpu::Operations {
+                    load: wgpu::LoadOp::Load,
+                    store: wgpu::StoreOp::Store,
+                }),
+                stencil_ops: Some(wgpu::Operations {
+                    load: wgpu::LoadOp::Load,
+                    store: wgpu::StoreOp::Store,
+                }),
+            }),
+            ..Default::default()
+        });
+    pass.set_bind_group(0, &resources.uniform.bind_group, &[]);
+    pass.set_bind_group(1, &resources.scene.bind_group, &[]);
+    pass.set_index_buffer(elements.slice(..), wgpu::IndexFormat::Uint32);
+    pass.set_stencil_reference(0);
+    let mut draw_calls = 0;
+    for &(pipeline, corners) in draws {
+        if !corners.is_empty() {
+            pass.set_pipeline(pipeline);
+            pass.draw_indexed(corners.clone(), 0, 0..1);
+            draw_calls += 1;
+        }
+    }
+    drop(pass);
+    stage.count_draws(draw_calls);
+}
+
+/// Whether corners have numbers for all vertices.
+fn check(mesh: &Mesh) -> Result<(), MethodError> {
+    let vertices = mesh.positions.len();
+    if vertices > 1 << VERTEX_BITS {
+        let message = format!(
+            "{vertices} vertices are more than the {} that it can number",
+            1 << VERTEX_BITS
+        );
+        return Err(MethodError::Unavailable(message));
+    }
+    Ok(())
 }
 
 /// Front faces wind counter-clockwise. Counting wraps around; depth is never written.

@@ -46,7 +46,7 @@ impl ShadowMethod for TriangleGs {
         &self,
         context: &PrepareContext<'_>,
     ) -> Result<Box<dyn PreparedMethod>, MethodError> {
-        let parameters = &self.volume;
+        let parameters = &self.volume.planned()?;
         let sides = vec![
             shader::glsl("methods/volumes/position.vert", &[]),
             shader::glsl("methods/triangle_gs/sides.geom", &parameters.defines(&[])),

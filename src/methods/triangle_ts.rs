@@ -47,7 +47,7 @@ impl ShadowMethod for TriangleTs {
         &self,
         context: &PrepareContext<'_>,
     ) -> Result<Box<dyn PreparedMethod>, MethodError> {
-        let parameters = &self.volume;
+        let parameters = &self.volume.planned()?;
         let faces = match self.passes {
             1 => vec![single(context, parameters)],
             _ => vec![

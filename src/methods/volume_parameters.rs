@@ -1,5 +1,6 @@
 //! The parameters that all volume methods have.
 
+use super::MethodError;
 use crate::frame::{DepthFormat, DepthSetup};
 use crate::geometry::Determinism;
 use crate::gpu::DepthDirection;
@@ -7,6 +8,18 @@ use crate::gpu::native::Raster;
 use crate::parameters;
 use serde::{Deserialize, Serialize};
 use std::ops::Deref;
+
+/// Says that a parameter was set that [`Plan::Auto`] decides.
+///
+/// # Errors
+/// If `is_set`.
+pub(super) fn refuse_both(name: &str, is_set: bool) -> Result<(), MethodError> {
+    if is_set {
+        let message = format!("plan=auto decides `{name}`: leave one of the two out");
+        return Err(MethodError::Parameter(message));
+    }
+    Ok(())
+}
 
 /// How volumes are counted.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -20,6 +33,9 @@ pub(super) enum Counting {
     ZPass,
     /// Z-pass for each object whose volumes provably leave the near rectangle out, else z-fail.
     Auto,
+    /// Z-pass that begins with the number of volumes around the near rectangle, for each object for which there is such
+    /// a number, else z-fail (see [`crate::geometry::near_count`]).
+    ZPassCounted,
 }
 
 /// How far volumes reach.
@@ -30,8 +46,45 @@ pub(super) enum Reach {
     /// to infinity.
     #[default]
     Scene,
+    /// The volume of each object to the one of the planes beside the scene that is best for it.
+    Object,
     /// To infinity, as in the literature.
     Infinity,
+}
+
+/// Which objects' volumes are not drawn.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub(super) enum Culling {
+    /// All are drawn.
+    #[default]
+    None,
+    /// Those that cannot meet the view frustum.
+    Frustum,
+}
+
+/// Which triangles cast.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub(super) enum Casting {
+    /// Those that face the light, of objects that are closed and have eye and light outside; else all.
+    LightFacing,
+    /// Of other objects too, where that draws less: first those that face the light, then the rest by their open edges
+    /// (see [`crate::geometry::open_edges`]).
+    EachSide,
+    /// All.
+    All,
+}
+
+/// Who decides what of the volumes is drawn.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub(super) enum Plan {
+    /// Each parameter for itself.
+    #[default]
+    AsSet,
+    /// The program: no more than each object needs in the view of the frame.
+    Auto,
 }
 
 /// Where the front caps of volumes are in z-fail.
@@ -56,10 +109,16 @@ parameters! {
     /// The parameters that all volume methods have.
     #[derive(Copy)]
     pub(super) struct VolumeParameters {
+        pub plan: Plan = Plan::AsSet,
+            "auto: counting, reach, culling, casting (and more, method by method) as draws least, object by object; \
+             as_set: as these say";
         pub counting: Counting = Counting::ZFail,
-            "how volumes are counted; auto: z_pass for objects that cannot shadow the eye, else z_fail";
+            "how volumes are counted; auto: z_pass for objects that cannot shadow the eye, else z_fail; \
+             z_pass_counted: z_pass that begins with the number of volumes around the eye, else z_fail";
         pub reach: Reach = Reach::Scene,
-            "scene: volumes end just beyond the scene where they may; infinity: as in the literature";
+            "scene: volumes end just beyond the scene where all may; object: where each may; infinity: nowhere";
+        pub culling: Culling = Culling::None,
+            "whose volumes are not drawn: none, frustum (of objects that cannot shadow anything in view)";
         pub front_cap: FrontCap = FrontCap::Far,
             "where the front caps of z_fail are: far (on the far plane, counted everywhere), in_place";
         pub push_back_px: f64 = PUSH_BACK_PX, in -1.0..=1.0,
@@ -74,13 +133,34 @@ parameters! {
     }
 }
 
+/// What `casting` means.
+pub(super) const CASTING_WORDS: &str = "light_facing: of closed objects with eye and light outside, only triangles that \
+     face the light; each_side: of others first these, then the rest by their open edges; all";
+
 parameters! {
     /// The parameters of volume methods in whose stages each edge finds the facings of its triangles.
     #[derive(Copy)]
     pub(super) struct StageVolumeParameters {
         pub determinism: Determinism = Determinism::ReferenceEdge,
             "how the edges of a triangle agree on its facing";
+        pub casting: Casting = Casting::All,
+            CASTING_WORDS;
         ..volume: VolumeParameters;
+    }
+}
+
+impl StageVolumeParameters {
+    /// With what [`Plan::Auto`] makes of them.
+    ///
+    /// # Errors
+    /// When one that the plan decides is set as well.
+    pub(super) fn planned(mut self) -> Result<Self, MethodError> {
+        if self.plan == Plan::Auto {
+            refuse_both("casting", self.casting != Self::default().casting)?;
+            self.casting = Casting::EachSide;
+        }
+        self.volume = self.volume.planned()?;
+        Ok(self)
     }
 }
 
@@ -96,9 +176,6 @@ impl StageVolumeParameters {
     /// The definitions that shaders take them by, and `more`.
     pub(super) fn defines<'a>(&self, more: &[(&'a str, u32)]) -> Vec<(&'a str, u32)> {
         let mut defines = vec![("DETERMINISM", self.determinism as u32)];
-        if self.reach == Reach::Infinity {
-            defines.push(("REACH_INFINITY", 1));
-        }
         if self.depth == DepthDirection::Standard {
             defines.push(("STANDARD_DEPTH", 1));
         }
@@ -108,6 +185,23 @@ impl StageVolumeParameters {
 }
 
 impl VolumeParameters {
+    /// With what [`Plan::Auto`] makes of them.
+    ///
+    /// # Errors
+    /// When one that the plan decides is set as well.
+    pub(super) fn planned(mut self) -> Result<Self, MethodError> {
+        if self.plan == Plan::Auto {
+            let usual = Self::default();
+            refuse_both("counting", self.counting != usual.counting)?;
+            refuse_both("reach", self.reach != usual.reach)?;
+            refuse_both("culling", self.culling != usual.culling)?;
+            self.counting = Counting::ZPassCounted;
+            self.reach = Reach::Object;
+            self.culling = Culling::Frustum;
+        }
+        Ok(self)
+    }
+
     /// The depth buffer that the frame is to be drawn with.
     pub(super) fn depth_setup(&self) -> DepthSetup {
         DepthSetup {

@@ -27,6 +27,7 @@ mod weld;
 mod wire;
 
 use std::path::Path;
+use std::sync::Arc;
 
 use glam::Vec3;
 
@@ -53,8 +54,8 @@ pub struct Scene {
     pub name: String,
     /// What people call it.
     pub title: String,
-    /// Its triangles.
-    pub mesh: Mesh,
+    /// Its triangles, shared with the methods that read them in every frame.
+    pub mesh: Arc<Mesh>,
     /// Where camera and light are in time; places of the light are canonical, see [`Light::place`].
     pub flight: Flight,
     /// Hexadecimal BLAKE3 of the mesh: equal hashes mean equal work.
@@ -72,7 +73,7 @@ impl Scene {
         Self {
             name,
             title,
-            mesh,
+            mesh: Arc::new(mesh),
             flight: Flight { camera, light },
             mesh_hash,
             notes: Vec::new(),

@@ -8,6 +8,7 @@
 use super::rewrite::{self, Changed};
 use crate::scene::Scene;
 use rand::{Rng, RngExt};
+use std::sync::Arc;
 
 /// A change of a scene that does not change its shadow.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -112,7 +113,7 @@ impl Change {
     /// The scene after the change. `None` where it does not apply: no object is closed, there is but one
     /// object, there is nothing to split.
     pub fn apply(self, scene: &Scene, random: &mut impl Rng) -> Option<Changed> {
-        let mesh = &scene.mesh;
+        let mesh = &*scene.mesh;
         let (mesh, origins) = match self {
             Self::Again => (mesh.clone(), rewrite::identity(mesh.triangles.len())),
             Self::ReorderTriangles => rewrite::reorder_triangles(mesh, random),
@@ -134,7 +135,7 @@ impl Change {
         };
         let mut changed = scene.clone();
         changed.mesh_hash = mesh.hash();
-        changed.mesh = mesh;
+        changed.mesh = Arc::new(mesh);
         Some(Changed {
             scene: changed,
             origins,

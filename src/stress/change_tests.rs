@@ -127,20 +127,20 @@ fn closed_objects_are_turned_inside_out_and_open_ones_left() {
         );
     }
     let mut open = scene.clone();
-    open.mesh = SphereGrid {
+    let grid = SphereGrid {
         rows: 1,
         columns: 1,
         slices: 6,
-    }
-    .mesh()
-    .unwrap();
+    };
+    open.mesh = Arc::new(grid.mesh().unwrap());
     assert!(apply(Change::FlipClosedObjects, &open).is_some());
-    open.mesh.triangles[3].swap(0, 1);
+    Arc::make_mut(&mut open.mesh).triangles[3].swap(0, 1);
     assert!(
         apply(Change::FlipClosedObjects, &open).is_none(),
         "not oriented"
     );
-    open.mesh.triangles[3] = open.mesh.triangles[4];
+    let mesh = Arc::make_mut(&mut open.mesh);
+    mesh.triangles[3] = mesh.triangles[4];
     assert!(
         apply(Change::FlipClosedObjects, &open).is_none(),
         "not closed"
@@ -208,7 +208,7 @@ fn scaling_takes_light_and_camera_along() {
         directional.flight.light
     );
     let mut huge = scene;
-    huge.mesh.positions[0].x = 9e8;
+    Arc::make_mut(&mut huge.mesh).positions[0].x = 9e8;
     assert!(apply(Change::Scale, &huge).is_none());
 }
 
@@ -216,7 +216,7 @@ fn scaling_takes_light_and_camera_along() {
 fn one_object_cannot_be_merged_nor_one_triangle_split() {
     let mut scene = small_grid();
     let one = Part::of_triangles("one", &[[Vec3::ZERO, Vec3::X, Vec3::Y]]);
-    scene.mesh = [one].into_iter().collect();
+    scene.mesh = Arc::new([one].into_iter().collect());
     for change in [
         Change::MergeObjects,
         Change::SplitObjects,

@@ -9,6 +9,7 @@ use crate::judge::Observer;
 use crate::scene::{Flight, Light, LightPath, Scene};
 use glam::Vec3;
 use std::collections::HashSet;
+use std::sync::Arc;
 
 /// What is left of a scene.
 #[derive(Clone, Debug)]
@@ -268,7 +269,7 @@ impl ScenePoint {
             Self::Light => scene.flight.light = moved(&scene.flight.light, point),
             Self::Eye => scene.flight.camera.keys[0].eye = point,
             Self::Target => scene.flight.camera.keys[0].target = point,
-            Self::Vertex(number) => scene.mesh.positions[number] = point,
+            Self::Vertex(number) => Arc::make_mut(&mut scene.mesh).positions[number] = point,
         }
     }
 }

@@ -218,7 +218,7 @@ pub(super) fn scale(scene: &Scene, random: &mut impl Rng) -> Option<Changed> {
     let origins = identity(mesh.triangles.len());
     let mesh = Mesh {
         positions,
-        ..mesh.clone()
+        ..Mesh::clone(mesh)
     };
     let (name, title) = (scene.name.clone(), scene.title.clone());
     (largest < LARGEST).then(|| Changed {

@@ -9,7 +9,8 @@ use std::time::Duration;
 use svbench::frame::fullscreen::{self, FullscreenDesc, bind_group};
 use svbench::frame::targets::COLOUR_FORMAT;
 use svbench::frame::{
-    DepthSetup, Frame, FrameResources, GBUFFER_STAGE, PreparedMethod, SHADE_STAGE, StencilResolve,
+    DepthSetup, Frame, FrameResources, GBUFFER_STAGE, PreparedMethod, RESOLVE_STAGE, SHADE_STAGE,
+    StencilResolve,
 };
 use svbench::gpu::native::{
     BindingKind, Bindings, IndirectDraws, Pipeline, PipelineDesc, PrimitiveTopology, Raster,
@@ -242,7 +243,7 @@ impl PreparedMethod for ComputeThenDraw {
                 pass.draw_indirect(&self.draws, 0);
             });
         });
-        self.resolve.record(frame);
+        self.resolve.record(frame, RESOLVE_STAGE, 0);
         Ok(())
     }
 }

@@ -13,6 +13,7 @@ mod metamorphic;
 mod methods;
 mod minimise;
 mod moving_light;
+mod plan;
 mod regression;
 mod silhouette_cpu;
 mod stability;

@@ -1,6 +1,7 @@
 //! A light that moves: every moment has its own truth, and methods draw it.
 use crate::common::{device, scene_over_ground, view};
 use glam::{Vec3, Vec4};
+use std::sync::Arc;
 use svbench::frame::FrameResources;
 use svbench::judge::Verifier;
 use svbench::methods::{self, PrepareContext, Registry};
@@ -37,7 +38,8 @@ fn plate_under(w: f32) -> Scene {
         light,
         ..scene.flight
     };
-    Scene::new(scene.name, scene.title, scene.mesh, flight)
+    let mesh = Arc::unwrap_or_clone(scene.mesh);
+    Scene::new(scene.name, scene.title, mesh, flight)
 }
 
 #[test]

@@ -3,6 +3,7 @@
 
 use crate::common::{device, scene_over_ground, view};
 use glam::{Vec3, Vec4};
+use std::sync::Arc;
 use svbench::frame::FrameResources;
 use svbench::gpu::Gpu;
 use svbench::judge::Verifier;
@@ -135,7 +136,8 @@ fn light_through_elements() -> Scene {
         light,
         ..scene.flight
     };
-    Scene::new(scene.name, scene.title, scene.mesh, flight)
+    let mesh = Arc::unwrap_or_clone(scene.mesh);
+    Scene::new(scene.name, scene.title, mesh, flight)
 }
 
 #[test]

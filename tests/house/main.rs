@@ -15,8 +15,9 @@ use std::collections::BTreeSet;
 
 /// From the user down to the device: a folder imports only what stands below it. Behind the last come the files
 /// of the root, which import no folder.
-const FLOORS: [&str; 15] = [
+const FLOORS: [&str; 16] = [
     "cli",
+    "advise",
     "profile",
     "report",
     "stress",

@@ -7,6 +7,7 @@
 // To be included after the input layout of a geometry shader, which sizes the input arrays.
 #include "shared/frame.glsl"
 #include "shared/facing.glsl"
+#include "shared/caster.glsl"
 
 // End points, a before b in the vertex order. The multiplicity is the signed sum of the facings of the
 // triangles on the edge, each taken as a, b, opposite vertex (Milet et al. 2014, algorithm 2). Where it is
@@ -17,6 +18,12 @@ struct Edge {
     int multiplicity;
 };
 
+// What a triangle adds to the multiplicity. Where only triangles that face the light cast, every second one goes from b to a.
+int of_casting(int facing, int number) {
+    if (caster.light_facing_only == 0u) return facing;
+    return (number & 1) == 0 ? max(facing, 0) : min(facing, 0);
+}
+
 #ifdef PATCH_OPPOSITES
 
 layout(location = 0) in vec3 position[];
@@ -24,7 +31,7 @@ layout(location = 0) in vec3 position[];
 Edge load_edge() {
     Edge edge = Edge(position[0], position[1], 0);
     for (int i = 2; i < 2 + PATCH_OPPOSITES; ++i) {
-        edge.multiplicity += facing_of_edge(edge.a, edge.b, position[i], frame.light);
+        edge.multiplicity += of_casting(facing_of_edge(edge.a, edge.b, position[i], frame.light), i - 2);
     }
     return edge;
 }
@@ -42,7 +49,7 @@ Edge load_edge() {
     Edge edge = Edge(positions[record.x].xyz, positions[record.y].xyz, 0);
     for (uint i = 0u; i < record.w; ++i) {
         vec3 opposite = positions[opposites[record.z + i]].xyz;
-        edge.multiplicity += facing_of_edge(edge.a, edge.b, opposite, frame.light);
+        edge.multiplicity += of_casting(facing_of_edge(edge.a, edge.b, opposite, frame.light), int(i));
     }
     return edge;
 }

@@ -10,7 +10,7 @@ layout(location = 0) in vec3 position[];
 
 void main() {
     int side = facing(position[0], position[1], position[2], frame.light);
-    if (side == 0) return;
+    if (side == 0 || side < 0 && caster.light_facing_only != 0u) return;
     vec4 near[3];
     vec4 far[3];
     for (int i = 0; i < 3; ++i) {

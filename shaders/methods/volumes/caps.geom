@@ -17,7 +17,7 @@ void main() {
     vec3 b = positions[indices[first + 1u]].xyz;
     vec3 c = positions[indices[first + 2u]].xyz;
     int side = facing(a, b, c, frame.light);
-    if (side == 0) return;
+    if (side == 0 || side < 0 && caster.light_facing_only != 0u) return;
     if (side < 0) {
         vec3 t = b;
         b = c;

@@ -117,10 +117,22 @@ impl PlaneTree {
 
     /// How many edges are asked for a light.
     pub fn asked(&self, light: Vec4) -> usize {
-        let boundary = self.boundary.iter().flat_map(EdgeBlock::edges).count();
+        let mut asked = 0;
+        self.for_each_asked(light, |_| asked += 1);
+        asked
+    }
+
+    /// The edges that are asked for a light: all on the silhouette, and those that groups do not tell from these.
+    pub fn for_each_asked(&self, light: Vec4, mut visit: impl FnMut(u32)) {
         let blocks = self.blocks_to_ask(&self.origin.light(light));
-        let in_tree = blocks.iter().flat_map(|block| block.edges()).count();
-        self.always.len() + boundary + in_tree
+        for blocks in blocks.chunks(AT_A_TIME) {
+            fetch(blocks.iter().copied());
+            let in_tree = blocks.iter().flat_map(|block| block.edges());
+            in_tree.for_each(&mut visit);
+        }
+        let boundary = self.boundary.iter().flat_map(EdgeBlock::edges);
+        boundary.for_each(&mut visit);
+        self.always.iter().copied().for_each(visit);
     }
 
     /// The blocks whose planes may lie on both sides of the light's hyperplane.

@@ -13,7 +13,10 @@ pub enum BindingKind {
     Storage,
 }
 
-/// Descriptor set 0: buffers at bindings 0, 1, 2, ... in the order given.
+/// Room for [`NativePass::set_constants`](super::NativePass::set_constants).
+pub(super) const DRAW_CONSTANTS_BYTES: u32 = 16;
+
+/// Descriptor set 0: buffers at bindings 0, 1, 2, ... in the order given; and constants of four `u32`.
 pub struct Bindings {
     pub(super) layout: vk::PipelineLayout,
     pub(super) set: vk::DescriptorSet,
@@ -74,17 +77,16 @@ impl Bindings {
                     .stage_flags(vk::ShaderStageFlags::ALL_GRAPHICS)
             })
             .collect();
-        let sizes: Vec<_> = buffers
-            .iter()
-            .map(|(kind, _)| vk::DescriptorPoolSize {
-                ty: descriptor_type(*kind),
-                descriptor_count: 1,
-            })
-            .collect();
+        let size = |(kind, _): &(BindingKind, _)| vk::DescriptorPoolSize {
+            ty: descriptor_type(*kind),
+            descriptor_count: 1,
+        };
+        let sizes: Vec<_> = buffers.iter().map(size).collect();
         let layout_info = vk::DescriptorSetLayoutCreateInfo::default().bindings(&slots);
         let pool_info = vk::DescriptorPoolCreateInfo::default()
             .max_sets(1)
             .pool_sizes(&sizes);
+        let constants = [draw_constants()];
         // SAFETY: the create infos point to arrays that live until after the calls, and every
         // handle passed was made by the same device in a call before.
         let (set_layout, pool, layout, set) = unsafe {
@@ -92,7 +94,9 @@ impl Bindings {
             let pool = raw.create_descriptor_pool(&pool_info, None)?;
             let set_layouts = [set_layout];
             let layout = raw.create_pipeline_layout(
-                &vk::PipelineLayoutCreateInfo::default().set_layouts(&set_layouts),
+                &vk::PipelineLayoutCreateInfo::default()
+                    .set_layouts(&set_layouts)
+                    .push_constant_ranges(&constants),
                 None,
             )?;
             let sets = raw.allocate_descriptor_sets(
@@ -129,6 +133,12 @@ impl Drop for Bindings {
                 .destroy_descriptor_set_layout(self.set_layout, None);
         }
     }
+}
+
+fn draw_constants() -> vk::PushConstantRange {
+    vk::PushConstantRange::default()
+        .stage_flags(vk::ShaderStageFlags::ALL_GRAPHICS)
+        .size(DRAW_CONSTANTS_BYTES)
 }
 
 fn descriptor_type(kind: BindingKind) -> vk::DescriptorType {

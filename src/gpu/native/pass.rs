@@ -13,7 +13,7 @@ pub struct NativePass<'a> {
     raw: ash::Device,
     commands: vk::CommandBuffer,
     draw_calls: u32,
-    _bound: &'a Bindings,
+    bound: &'a Bindings,
 }
 
 impl NativePass<'_> {
@@ -64,7 +64,7 @@ impl NativePass<'_> {
                     raw,
                     commands,
                     draw_calls: 0,
-                    _bound: bindings,
+                    bound: bindings,
                 };
                 draw(&mut pass);
                 pass.raw.cmd_end_render_pass(commands);
@@ -83,6 +83,20 @@ impl NativePass<'_> {
                 self.commands,
                 vk::PipelineBindPoint::GRAPHICS,
                 pipeline.handle,
+            );
+        }
+    }
+
+    /// The `push_constant` block that all stages of the next draws see.
+    pub fn set_constants(&mut self, constants: [u32; 4]) {
+        // SAFETY: the pass is under way, and the layout of its bindings has room for the constants.
+        unsafe {
+            self.raw.cmd_push_constants(
+                self.commands,
+                self.bound.layout,
+                vk::ShaderStageFlags::ALL_GRAPHICS,
+                0,
+                bytemuck::bytes_of(&constants),
             );
         }
     }

@@ -1,6 +1,6 @@
 //! Edges in the forms in which shaders take them.
 
-use crate::geometry::{Determinism, Edge, Topology, vertex_less};
+use crate::geometry::{Determinism, Edge, EdgeTriangle, EdgeTriangles, Topology, vertex_less};
 use crate::scene::Mesh;
 use glam::{Vec3, Vec4};
 use std::cmp::Ordering;
@@ -19,43 +19,98 @@ pub(super) struct EdgeRecords {
     pub(super) opposites: Vec<u32>,
     /// The records of each object that casts, in drawing order.
     pub(super) objects: Vec<Range<u32>>,
+    /// The records of each edge of the topology.
+    pub(super) of_edges: Vec<Range<u32>>,
     /// The edges that were split, as they were.
     split: Vec<Edge>,
     limit: u32,
 }
 
 impl EdgeRecords {
-    pub(super) fn new(mesh: &Mesh, topology: &Topology, limit: u32) -> Self {
-        let mut edges = Vec::with_capacity(topology.edges.len());
-        let mut split = Vec::new();
-        let mut opposites = topology.opposites.clone();
-        let mut objects = Vec::with_capacity(topology.object_edges.len());
+    /// With `triangles`, opposite vertices are dealt out such that every first one in a record is of a triangle that goes
+    /// from its a to its b, and every second one of a triangle that goes back; where there are more of one kind, the
+    /// end a stands for what lacks, and adds nothing. So records have room for two at least.
+    pub(super) fn new(
+        mesh: &Mesh,
+        topology: &Topology,
+        triangles: Option<&EdgeTriangles>,
+        limit: u32,
+    ) -> Self {
+        let limit = match triangles {
+            Some(_) => (limit & !1).max(2),
+            None => limit,
+        };
+        let mut records = Self {
+            edges: Vec::with_capacity(topology.edges.len()),
+            split: Vec::new(),
+            opposites: match triangles {
+                Some(_) => Vec::with_capacity(topology.opposites.len()),
+                None => topology.opposites.clone(),
+            },
+            objects: Vec::with_capacity(topology.object_edges.len()),
+            of_edges: vec![0..0; topology.edges.len()],
+            limit,
+        };
         let casters = mesh.objects.iter().zip(&topology.object_edges);
         for (_, range) in casters.filter(|(object, _)| object.casts_shadow) {
-            let start = edges.len() as u32;
-            for edge in &topology.edges[range.start as usize..range.end as usize] {
-                let edge = in_vertex_order(&mesh.positions, *edge);
+            let start = records.edges.len() as u32;
+            for number in range.start as usize..range.end as usize {
+                let edge = topology.edges[number];
+                let triangles = triangles.map(|triangles| triangles.of(edge));
+                let edge = records.taken(mesh, topology, edge, triangles);
+                let first = records.edges.len() as u32;
                 if edge.opposite_count <= limit {
-                    edges.push(edge);
+                    records.edges.push(edge);
                 } else {
-                    let first_opposite = opposites.len() as u32;
-                    opposites.extend(dealt_out(mesh, topology.opposites_of(edge), limit));
-                    let edge = Edge {
-                        first_opposite,
-                        ..edge
-                    };
-                    edges.extend(parts(edge, limit));
-                    split.push(edge);
+                    records.edges.extend(parts(edge, limit));
+                    records.split.push(edge);
+                }
+                records.of_edges[number] = first..records.edges.len() as u32;
+            }
+            records.objects.push(start..records.edges.len() as u32);
+        }
+        records
+    }
+
+    /// An edge with its ends in the vertex order, and its opposite vertices in the order in which [`parts`] take them.
+    fn taken(
+        &mut self,
+        mesh: &Mesh,
+        topology: &Topology,
+        edge: Edge,
+        triangles: Option<&[EdgeTriangle]>,
+    ) -> Edge {
+        let own = topology.opposites_of(edge);
+        let directed = in_vertex_order(&mesh.positions, edge);
+        let first_opposite = self.opposites.len() as u32;
+        match triangles {
+            None if edge.opposite_count <= self.limit => return directed,
+            None => self.opposites.extend(dealt_out(mesh, own, self.limit)),
+            Some(triangles) => {
+                let is_swapped = directed.a != edge.a;
+                let side = |along: bool| {
+                    let all = own.iter().zip(triangles);
+                    let of_side = all.filter(|(_, t)| (t.is_along() != is_swapped) == along);
+                    of_side.map(|(opposite, _)| *opposite).collect::<Vec<_>>()
+                };
+                let sides = [side(true), side(false)];
+                let most = sides[0].len().max(sides[1].len());
+                let parts = most.div_ceil(self.limit as usize / 2);
+                let per_part = most.div_ceil(parts);
+                let dealt = sides.map(|side| sorted(mesh, &side));
+                for part in 0..parts {
+                    for place in 0..per_part {
+                        let at = part + place * parts;
+                        let of_side = |side: &Vec<u32>| side.get(at).copied().unwrap_or(directed.a);
+                        self.opposites.extend(dealt.iter().map(of_side));
+                    }
                 }
             }
-            objects.push(start..edges.len() as u32);
         }
-        Self {
-            edges,
-            opposites,
-            objects,
-            split,
-            limit,
+        Edge {
+            first_opposite,
+            opposite_count: self.opposites.len() as u32 - first_opposite,
+            ..directed
         }
     }
 
@@ -91,16 +146,22 @@ impl EdgeRecords {
 
 /// Opposite vertices in the order in which [`parts`] take them: each part in turn gets one.
 fn dealt_out(mesh: &Mesh, opposites: &[u32], limit: u32) -> impl Iterator<Item = u32> {
-    let mut sorted = opposites.to_vec();
-    sorted.sort_by(|one, other| {
-        let [one, other] = [one, other].map(|vertex| mesh.positions[*vertex as usize].to_array());
-        one.partial_cmp(&other).unwrap_or(Ordering::Equal)
-    });
+    let sorted = sorted(mesh, opposites);
     let parts = sorted.len().div_ceil(limit as usize);
     (0..parts).flat_map(move |part| {
         let own = sorted.iter().skip(part).step_by(parts);
         own.copied().collect::<Vec<_>>()
     })
+}
+
+/// Vertices in the vertex order.
+fn sorted(mesh: &Mesh, vertices: &[u32]) -> Vec<u32> {
+    let mut sorted = vertices.to_vec();
+    sorted.sort_by(|one, other| {
+        let [one, other] = [one, other].map(|vertex| mesh.positions[*vertex as usize].to_array());
+        one.partial_cmp(&other).unwrap_or(Ordering::Equal)
+    });
+    sorted
 }
 
 /// The edge as several with at most `limit` opposite vertices each, as many as their turn gave them.

@@ -31,7 +31,7 @@ fn example() -> (Mesh, Topology) {
 #[test]
 fn splitting_keeps_every_opposite_vertex_once() {
     let (mesh, topology) = example();
-    let records = EdgeRecords::new(&mesh, &topology, 3);
+    let records = EdgeRecords::new(&mesh, &topology, None, 3);
     let parts: Vec<_> = records
         .edges
         .iter()
@@ -46,7 +46,7 @@ fn splitting_keeps_every_opposite_vertex_once() {
 #[test]
 fn patches_are_filled_with_their_first_vertex() {
     let (mesh, topology) = example();
-    let records = EdgeRecords::new(&mesh, &topology, 3);
+    let records = EdgeRecords::new(&mesh, &topology, None, 3);
     let patches = |most_bytes| EdgePatches::new(&records, 4, most_bytes);
     assert!(patches(4 * 30 - 1).is_none());
     let patches = patches(4 * 30).unwrap();
@@ -88,7 +88,7 @@ fn what_splitting_costs_is_counted() {
     let topology = Topology::build(&mesh);
     let light = Vec4::new(0.5, 9.0, 0.0, 1.0);
     let extra = |limit| {
-        EdgeRecords::new(&mesh, &topology, limit).extra_side_quads(
+        EdgeRecords::new(&mesh, &topology, None, limit).extra_side_quads(
             &mesh,
             Determinism::ReferenceEdge,
             light,

@@ -4,19 +4,22 @@
 //! section 2.2). The two variants differ in the stages that make the side quads, nothing else.
 
 mod edges;
+mod near_silhouette;
 
-use super::volume_parameters::StageVolumeParameters;
-use super::volumes::{self, Faces, StencilVolumes};
+use super::volume_parameters::{Casting, Plan, StageVolumeParameters, refuse_both};
+use super::volumes::{self, Draws, Faces, StencilVolumes};
 use super::{MethodError, MethodInfo, PrepareContext, ShadowMethod};
 use crate::frame::DepthSetup;
 use crate::frame::PreparedMethod;
-use crate::gpu::Gpu;
-use crate::gpu::native::{PrimitiveTopology, Raster};
+use crate::frame::SceneBuffers;
+use crate::gpu::native::{PrimitiveTopology, Raster, VertexInput};
 use crate::gpu::shader::{self, Spirv};
 use crate::parameters;
 use edges::{EdgePatches, EdgeRecords};
+use near_silhouette::{Elements, NearSilhouette};
 use serde::{Deserialize, Serialize};
 use std::fmt::Debug;
+use std::marker::PhantomData;
 
 /// The stages that make side quads of edges.
 pub(super) trait SideStage: Debug + Clone + 'static {
@@ -47,11 +50,25 @@ pub(super) enum EdgeInput {
     Storage,
 }
 
+/// Which edges are asked for their multiplicity.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub(super) enum Edges {
+    /// All.
+    #[default]
+    All,
+    /// Those that the groups of a tree over the planes of their triangles leave, see
+    /// [`crate::geometry::silhouette::PlaneTree`].
+    NearSilhouette,
+}
+
 parameters! {
     /// The parameters of both methods.
     pub(super) struct Silhouette<S: SideStage> {
         input: EdgeInput = EdgeInput::Patch,
             "how an edge comes to the shaders: patch (its vertices), storage (its number; they fetch)";
+        edges: Edges = Edges::All,
+            "which edges are asked: all; near_silhouette (of groups with triangles on both sides of the light)";
         max_multiplicity: u32 = 32, in 1..=S::MAX_QUADS,
             format!(
                 "most opposite vertices of one primitive, with input=patch at most {}; edges with more are split",
@@ -74,14 +91,18 @@ impl<S: SideStage> ShadowMethod for Silhouette<S> {
         &self,
         context: &PrepareContext<'_>,
     ) -> Result<Box<dyn PreparedMethod>, MethodError> {
-        let parameters = &self.volume;
+        let parameters = &self.volume.planned()?;
         let most_opposites = match self.input {
             EdgeInput::Storage => self.max_multiplicity,
             EdgeInput::Patch => self.max_multiplicity.min(S::MAX_PATCH_OPPOSITES),
         };
         let mesh = &context.scene.mesh;
         let topology = context.topology();
-        let edges = EdgeRecords::new(mesh, topology, most_opposites);
+        let triangles = match parameters.casting {
+            Casting::LightFacing | Casting::EachSide => Some(&**context.edge_triangles()),
+            Casting::All => None,
+        };
+        let edges = EdgeRecords::new(mesh, topology, triangles, most_opposites);
         let mut counters = vec![
             ("edges", topology.edges.len() as u64),
             ("edge_records", edges.edges.len() as u64),
@@ -94,15 +115,18 @@ impl<S: SideStage> ShadowMethod for Silhouette<S> {
                 ),
             ),
         ];
+        let sides = Sides {
+            context,
+            parameters,
+            edges,
+            chosen: self.edges()? == Edges::NearSilhouette,
+            stage: PhantomData::<S>,
+        };
         let (sides, buffers) = match self.input {
-            EdgeInput::Storage => Self::sides_by_number(context, parameters, edges)?,
+            EdgeInput::Storage => sides.by_number()?,
             EdgeInput::Patch => {
-                let (topology, opposites) = S::patch(edges.most_opposites());
-                let most_bytes = context.gpu.device.limits().max_buffer_size;
-                let patches =
-                    EdgePatches::new(&edges, opposites, most_bytes).ok_or_else(too_many_patches)?;
-                counters.push(("patch_vertices", patches.vertices_per_patch.into()));
-                let sides = Self::sides_by_patch(context.gpu, parameters, topology, patches)?;
+                let (sides, vertices_per_patch) = sides.by_patch()?;
+                counters.push(("patch_vertices", vertices_per_patch.into()));
                 (sides, Vec::new())
             }
         };
@@ -113,15 +137,33 @@ impl<S: SideStage> ShadowMethod for Silhouette<S> {
 }
 
 impl<S: SideStage> Silhouette<S> {
-    fn sides_by_number(
-        context: &PrepareContext<'_>,
-        parameters: &StageVolumeParameters,
-        edges: EdgeRecords,
-    ) -> Result<(Faces, Vec<wgpu::Buffer>), MethodError> {
+    /// Which edges are asked, as planned.
+    fn edges(&self) -> Result<Edges, MethodError> {
+        if self.volume.plan == Plan::Auto {
+            refuse_both("edges", self.edges != Edges::All)?;
+            return Ok(Edges::NearSilhouette);
+        }
+        Ok(self.edges)
+    }
+}
+
+/// What side quads are made of.
+struct Sides<'a, S> {
+    context: &'a PrepareContext<'a>,
+    parameters: &'a StageVolumeParameters,
+    edges: EdgeRecords,
+    /// Whether the edges of a frame are chosen on the processor.
+    chosen: bool,
+    stage: PhantomData<S>,
+}
+
+impl<S: SideStage> Sides<'_, S> {
+    fn by_number(mut self) -> Result<(Faces, Vec<wgpu::Buffer>), MethodError> {
         let buffer = |label, contents: &[u8]| {
             let usage = wgpu::BufferUsages::STORAGE;
-            context.gpu.buffer(label, contents, usage)
+            self.context.gpu.buffer(label, contents, usage)
         };
+        let edges = &self.edges;
         let buffers = vec![
             buffer("the edges", bytemuck::cast_slice(&edges.edges))?,
             buffer(
@@ -130,43 +172,69 @@ impl<S: SideStage> Silhouette<S> {
             )?,
         ];
         // Room for exactly what this scene can need: a larger output slows a geometry stage down.
-        let defines = parameters.defines(&[("MAX_MULTIPLICITY", edges.most_opposites())]);
+        let defines = self
+            .parameters
+            .defines(&[("MAX_MULTIPLICITY", edges.most_opposites())]);
         let mut stages = vec![shader::glsl("methods/volumes/index.vert", &[])];
         stages.extend(S::shaders(&defines));
+        let (indices, draws) = if self.chosen {
+            let (indices, draws) = self.chosen(Elements::Number)?;
+            (Some(indices), draws)
+        } else {
+            (None, Draws::All(self.edges.objects))
+        };
         let faces = Faces {
             stages,
+            input: VertexInput::Numbers,
             topology: S::NUMBER,
-            indices: None,
-            draws: edges.objects,
+            indices,
+            draws,
             z_fail: Raster::CountDepthFails,
             in_z_pass: true,
         };
         Ok((faces, buffers))
     }
 
-    fn sides_by_patch(
-        gpu: &Gpu,
-        parameters: &StageVolumeParameters,
-        topology: PrimitiveTopology,
-        patches: EdgePatches,
-    ) -> Result<Faces, MethodError> {
-        let opposites = patches.vertices_per_patch - 2;
-        let defines = parameters.defines(&[
+    /// Gives also how many vertices a patch has.
+    fn by_patch(mut self) -> Result<(Faces, u32), MethodError> {
+        let (topology, opposites) = S::patch(self.edges.most_opposites());
+        let gpu = self.context.gpu;
+        let most_bytes = gpu.device.limits().max_buffer_size;
+        let patches =
+            EdgePatches::new(&self.edges, opposites, most_bytes).ok_or_else(too_many_patches)?;
+        let defines = self.parameters.defines(&[
             ("MAX_MULTIPLICITY", opposites),
             ("PATCH_OPPOSITES", opposites),
         ]);
         let mut stages = vec![shader::glsl("methods/volumes/position.vert", &[])];
         stages.extend(S::shaders(&defines));
-        let contents = bytemuck::cast_slice(&patches.indices);
-        let indices = gpu.buffer("the edges as patches", contents, wgpu::BufferUsages::INDEX)?;
-        Ok(Faces {
+        let vertices_per_patch = patches.vertices_per_patch;
+        let (indices, draws) = if self.chosen {
+            self.chosen(Elements::Patches(vertices_per_patch, patches.indices))?
+        } else {
+            let contents = bytemuck::cast_slice(&patches.indices);
+            let usage = wgpu::BufferUsages::INDEX;
+            let indices = gpu.buffer("the edges as patches", contents, usage)?;
+            (indices, Draws::All(patches.objects))
+        };
+        let faces = Faces {
             stages,
+            input: SceneBuffers::NATIVE_INPUT,
             topology,
             indices: Some(indices),
-            draws: patches.objects,
+            draws,
             z_fail: Raster::CountDepthFails,
             in_z_pass: true,
-        })
+        };
+        Ok((faces, vertices_per_patch))
+    }
+
+    fn chosen(&mut self, elements: Elements) -> Result<(wgpu::Buffer, Draws), MethodError> {
+        let PrepareContext { gpu, scene, .. } = self.context;
+        let of = (&*scene.mesh, &**self.context.topology());
+        let chosen = NearSilhouette::new(gpu, of, &mut self.edges, elements)?;
+        let buffer = chosen.buffer().clone();
+        Ok((buffer, Draws::Chosen(Box::new(chosen))))
     }
 }
 

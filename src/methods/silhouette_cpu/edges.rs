@@ -1,12 +1,16 @@
 //! What is known of silhouette edges before there is a light.
 
-use crate::geometry::silhouette::SilhouetteEdge;
 use crate::geometry::{EdgeTriangles, Topology, facing, vertex_less};
+use crate::methods::side_quad::DirectedEdge;
 use crate::scene::Mesh;
 use glam::Vec4;
+use std::rc::Rc;
 
 /// In the first end of an edge: its ends are not in the order of [`Topology`].
 const SWAPPED: u32 = 1 << 31;
+
+/// In the second end: see [`CasterEdges::irregular`].
+const IRREGULAR: u32 = 1 << 31;
 
 /// The edges of a scene as its volumes need them.
 pub(super) struct CasterEdges {
@@ -14,57 +18,58 @@ pub(super) struct CasterEdges {
     ends: Vec<[u32; 2]>,
     /// The caster that each edge belongs to, in drawing order.
     casters: Vec<u32>,
-    triangles: EdgeTriangles,
-}
-
-/// An edge on the silhouette, with its ends in the vertex order.
-pub(super) struct DirectedEdge {
-    pub(super) a: u32,
-    pub(super) b: u32,
-    /// See [`SilhouetteEdge`]; positive where the light sees the surface on the left of `a` to `b`.
-    pub(super) multiplicity: i32,
+    triangles: Rc<EdgeTriangles>,
+    /// Of each caster the edges that have other than one triangle, or two in opposite directions.
+    irregular: Vec<Vec<u32>>,
 }
 
 impl CasterEdges {
-    pub(super) fn new(mesh: &Mesh, topology: &Topology) -> Self {
-        let at = |vertex: u32| mesh.positions[vertex as usize];
-        let ends = topology.edges.iter().map(|edge| {
-            if vertex_less(at(edge.b), at(edge.a)) {
-                [edge.b | SWAPPED, edge.a]
-            } else {
-                [edge.a, edge.b]
-            }
-        });
+    pub(super) fn new(mesh: &Mesh, topology: &Topology, triangles: Rc<EdgeTriangles>) -> Self {
         let objects = mesh.objects.iter().zip(&topology.object_edges);
         let of_casters = objects
             .filter(|(object, _)| object.casts_shadow)
             .map(|(_, edges)| edges);
         let casters = (0..)
-            .zip(of_casters)
+            .zip(of_casters.clone())
             .flat_map(|(caster, edges)| edges.clone().map(move |_| caster));
+        let is_irregular = |edge: &u32| match triangles.of(topology.edges[*edge as usize]) {
+            [_] => false,
+            [one, other] => one.is_along() == other.is_along(),
+            _ => true,
+        };
+        let irregular = of_casters.map(|edges| edges.clone().filter(is_irregular).collect());
+        let at = |vertex: u32| mesh.positions[vertex as usize];
+        let ends = (0..).zip(&topology.edges).map(|(number, edge)| {
+            let flag = if is_irregular(&number) { IRREGULAR } else { 0 };
+            if vertex_less(at(edge.b), at(edge.a)) {
+                [edge.b | SWAPPED, edge.a | flag]
+            } else {
+                [edge.a, edge.b | flag]
+            }
+        });
         Self {
             ends: ends.collect(),
             casters: casters.collect(),
-            triangles: EdgeTriangles::build(mesh, topology),
+            irregular: irregular.collect(),
+            triangles,
         }
-    }
-
-    /// For each caster whether it is closed and wound consistently.
-    pub(super) fn closed_casters(&self, mesh: &Mesh, topology: &Topology) -> Vec<bool> {
-        self.triangles.closed_casters(mesh, topology)
     }
 
     pub(super) fn caster(&self, edge: u32) -> usize {
         self.casters[edge as usize] as usize
     }
 
+    /// Whether it is one of [`Self::irregular`].
+    pub(super) fn is_irregular(&self, edge: u32) -> bool {
+        self.ends[edge as usize][1] & IRREGULAR != 0
+    }
+
     pub(super) fn directed(&self, edge: u32, multiplicity: i32) -> DirectedEdge {
         let [a, b] = self.ends[edge as usize];
-        let is_swapped = a & SWAPPED != 0;
         DirectedEdge {
             a: a & !SWAPPED,
-            b,
-            multiplicity: if is_swapped {
+            b: b & !IRREGULAR,
+            multiplicity: if a & SWAPPED != 0 {
                 -multiplicity
             } else {
                 multiplicity
@@ -72,19 +77,20 @@ impl CasterEdges {
         }
     }
 
-    /// The multiplicity of an edge of a closed caster if only triangles that face the light cast.
+    /// The edges of a caster whose multiplicity does not say what that of light-facing triangles is.
+    pub(super) fn irregular(&self, caster: usize) -> &[u32] {
+        &self.irregular[caster]
+    }
+
+    /// The multiplicity of an edge if only triangles that face the light cast.
     pub(super) fn light_facing_multiplicity(
         &self,
         mesh: &Mesh,
         topology: &Topology,
         light: Vec4,
-        found: SilhouetteEdge,
+        number: u32,
     ) -> i32 {
-        // Of two triangles in opposite directions, one faces the light where both have a facing.
-        if found.multiplicity % 2 == 0 {
-            return found.multiplicity / 2;
-        }
-        let edge = topology.edges[found.edge as usize];
+        let edge = topology.edges[number as usize];
         let at = |vertex: u32| mesh.positions[vertex as usize];
         let sides = topology
             .opposites_of(edge)

@@ -2,8 +2,10 @@
 //!
 //! Every face is counter-clockwise seen from outside of its volume.
 
-use super::edges::DirectedEdge;
+use super::plan::{CappedPlan, Capping, Caps};
 use crate::methods::portable_volumes::{far, near};
+use crate::methods::side_quad::DirectedEdge;
+use crate::methods::volume_parameters::{Casting, FrontCap};
 
 /// The corners of all faces, three a triangle, by how they are counted.
 #[derive(Default)]
@@ -11,8 +13,8 @@ pub(super) struct Faces {
     pub(super) depth_passes: Vec<u32>,
     pub(super) depth_fails: Vec<u32>,
     pub(super) everywhere: Vec<u32>,
-    /// All far ends are one point: volumes of a light at infinity that reach to infinity need no back caps.
-    pub(super) far_ends_meet: bool,
+    /// Of open edges, counted as those of `depth_passes` when these are in the mask.
+    pub(super) of_open_edges: Vec<u32>,
 }
 
 impl Faces {
@@ -20,40 +22,26 @@ impl Faces {
         self.depth_passes.clear();
         self.depth_fails.clear();
         self.everywhere.clear();
+        self.of_open_edges.clear();
     }
 
     /// The side quad of an edge, as often as its multiplicity says.
-    ///
-    /// Its corners lie in one plane only but for rounding, so the diagonal matters to the last bit of depth: both windings
-    /// are cut from `b` to the far end of `a`, so that opposite copies cancel to the pixel. Where far ends meet, it is
-    /// a triangle.
-    pub(super) fn side(&mut self, edge: &DirectedEdge, z_pass: bool) {
-        let &DirectedEdge { a, b, multiplicity } = edge;
-        let faces = if z_pass {
+    pub(super) fn side(&mut self, edge: &DirectedEdge, plan: CappedPlan) {
+        let faces = if plan.caster.z_pass {
             &mut self.depth_passes
         } else {
             &mut self.depth_fails
         };
-        let far_of = |vertex| {
-            if self.far_ends_meet {
-                far(0)
-            } else {
-                far(vertex)
-            }
+        sides(faces, edge, plan);
+    }
+
+    /// That of an open edge, counted down after the rest.
+    pub(super) fn open_side(&mut self, edge: &DirectedEdge, plan: CappedPlan) {
+        let counted_down = DirectedEdge {
+            multiplicity: -edge.multiplicity,
+            ..*edge
         };
-        let quad = if multiplicity > 0 {
-            [near(a), far_of(a), near(b), near(b), far_of(a), far_of(b)]
-        } else {
-            [near(a), near(b), far_of(a), near(b), far_of(b), far_of(a)]
-        };
-        let corners = if self.far_ends_meet {
-            &quad[..3]
-        } else {
-            &quad[..]
-        };
-        for _ in 0..multiplicity.unsigned_abs() {
-            faces.extend_from_slice(corners);
-        }
+        sides(&mut self.of_open_edges, &counted_down, plan);
     }
 
     /// The triangle of a fan between an edge and a vertex of the same part of a mesh. With those of all silhouette edges
@@ -70,19 +58,19 @@ impl Faces {
     }
 
     /// The same for the back cap, which is flat and behind everything.
-    pub(super) fn fan_back(&mut self, edge: &DirectedEdge, apex: u32) {
+    pub(super) fn fan_back(&mut self, edge: &DirectedEdge, apex: u32, plan: CappedPlan) {
         let &DirectedEdge { a, b, multiplicity } = edge;
-        if apex != a && apex != b && !self.far_ends_meet {
+        if apex != a && apex != b && !plan.far_ends_meet {
             let (a, b) = if multiplicity > 0 { (b, a) } else { (a, b) };
             for _ in 0..multiplicity.unsigned_abs() {
                 self.everywhere
-                    .extend_from_slice(&[far(apex), far(a), far(b)]);
+                    .extend_from_slice(&[apex, a, b].map(|vertex| far(vertex, plan.caster.end)));
             }
         }
     }
 
     /// The front cap of a triangle that is counter-clockwise seen from the light.
-    pub(super) fn front_cap(&mut self, [a, b, c]: [u32; 3], everywhere: bool) {
+    fn front_cap(&mut self, [a, b, c]: [u32; 3], everywhere: bool) {
         let faces = if everywhere {
             &mut self.everywhere
         } else {
@@ -92,9 +80,46 @@ impl Faces {
     }
 
     /// The back cap of a triangle that is counter-clockwise seen from the light.
-    pub(super) fn back_cap(&mut self, [a, b, c]: [u32; 3]) {
-        if !self.far_ends_meet {
-            self.everywhere.extend_from_slice(&[far(a), far(c), far(b)]);
+    fn back_cap(&mut self, [a, b, c]: [u32; 3], plan: CappedPlan) {
+        if !plan.far_ends_meet {
+            self.everywhere
+                .extend_from_slice(&[a, c, b].map(|vertex| far(vertex, plan.caster.end)));
         }
+    }
+
+    /// The caps of one triangle, but for those that are fans.
+    pub(super) fn caps(
+        &mut self,
+        capping: &Capping,
+        plan: CappedPlan,
+        [a, b, c]: [u32; 3],
+        facing: i8,
+    ) {
+        let casting = plan.caster.casting;
+        let casts = facing == 1 || facing == -1 && casting == Casting::All;
+        // Counter-clockwise seen from the light.
+        let triangle = if facing == 1 { [a, b, c] } else { [a, c, b] };
+        if casts && !plan.fan_in_front {
+            self.front_cap(triangle, capping.front_cap == FrontCap::Far);
+        }
+        let are_others_behind =
+            capping.caps == Caps::FarTriangles && casting == Casting::LightFacing;
+        if casts != are_others_behind && !plan.fan_behind {
+            self.back_cap(triangle, plan);
+        }
+    }
+}
+
+/// Adds the side quads of an edge; where far ends meet, triangles.
+fn sides(faces: &mut Vec<u32>, edge: &DirectedEdge, plan: CappedPlan) {
+    let far_of = |vertex| far(if plan.far_ends_meet { 0 } else { vertex }, plan.caster.end);
+    let quad = edge.quad(near, far_of);
+    let corners = if plan.far_ends_meet {
+        &quad[..3]
+    } else {
+        &quad[..]
+    };
+    for _ in 0..edge.multiplicity.unsigned_abs() {
+        faces.extend_from_slice(corners);
     }
 }

@@ -6,13 +6,14 @@ mod extraction;
 mod faces;
 mod plan;
 
+use super::plan::Planner;
 use super::portable_volumes::{Corners, PortableVolumes};
-use super::volume_parameters::VolumeParameters;
-use super::volumes::{CHOOSE_STAGE, STENCIL, VOLUMES_STAGE};
+use super::volume_parameters::{CASTING_WORDS, Casting, Plan, VolumeParameters, refuse_both};
+use super::volumes::{CHOOSE_STAGE, OPEN_EDGES_STAGE, RESOLVE_REST_STAGE, STENCIL, VOLUMES_STAGE};
 use super::{MethodError, MethodInfo, PrepareContext, ShadowMethod, volume_limits};
-use crate::frame::{DepthSetup, Frame, PreparedMethod};
-use crate::geometry::Topology;
+use crate::frame::{DepthSetup, DrawnVolumes, Frame, PreparedMethod, RESOLVE_STAGE};
 use crate::geometry::silhouette::{Facings, HEXTREE_DEPTH, SilhouetteEdge};
+use crate::geometry::{Determinism, OpenEdges, Topology};
 use crate::gpu::{Gpu, Stage};
 use crate::parameters;
 use crate::scene::Mesh;
@@ -20,9 +21,9 @@ use edges::{CasterEdges, fan_apexes};
 use extraction::{Extraction, Extractor};
 use faces::Faces;
 use glam::Vec4;
-use plan::{CasterPlan, Planner};
-use serde::{Deserialize, Serialize};
+use plan::{CappedPlan, Capping, Caps};
 use std::rc::Rc;
+use std::sync::Arc;
 
 /// What the method is.
 pub(super) static INFO: MethodInfo = MethodInfo {
@@ -34,31 +35,6 @@ pub(super) static INFO: MethodInfo = MethodInfo {
     tolerated_share: 0.0,
 };
 
-/// What caps are made of.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub(super) enum Caps {
-    /// Of closed objects, fans over the silhouette wherever these cover the same; else triangles.
-    #[default]
-    Fan,
-    /// The triangles that cast, and the same at their far ends.
-    Triangles,
-    /// In front the triangles that cast; behind, where only those cast that face the light, all the others at their
-    /// far ends.
-    FarTriangles,
-}
-
-/// Which triangles cast.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub(super) enum Casting {
-    /// Those that face the light, of objects that are closed and have eye and light outside; else all.
-    #[default]
-    LightFacing,
-    /// All.
-    All,
-}
-
 parameters! {
     /// The method's parameters.
     pub(super) struct SilhouetteCpu {
@@ -69,7 +45,7 @@ parameters! {
         keep: bool = false,
             "whether a silhouette is kept while the light stands still";
         casting: Casting = Casting::LightFacing,
-            "light_facing: of closed objects with eye and light outside, only triangles that face the light; all";
+            CASTING_WORDS;
         caps: Caps = Caps::Fan,
             "what caps are made of in z_fail: fan (over the silhouette, of closed objects), triangles, far_triangles";
         ..volume: VolumeParameters;
@@ -89,15 +65,21 @@ impl ShadowMethod for SilhouetteCpu {
         &self,
         context: &PrepareContext<'_>,
     ) -> Result<Box<dyn PreparedMethod>, MethodError> {
-        let mesh = context.scene.mesh.clone();
+        let volume = self.volume.planned()?;
+        let mut casting = self.casting;
+        if volume.plan == Plan::Auto {
+            refuse_both("casting", casting != Self::default().casting)?;
+            casting = Casting::EachSide;
+        }
+        let mesh = Arc::clone(&context.scene.mesh);
         let topology = Rc::clone(context.topology());
-        let edges = CasterEdges::new(&mesh, &topology);
-        let planner = Planner {
-            volume: self.volume,
-            casting: self.casting,
+        let triangles = Rc::clone(context.edge_triangles());
+        let capping = Capping {
+            front_cap: volume.front_cap,
             caps: self.caps,
-            closed: edges.closed_casters(&mesh, &topology),
+            closed: triangles.closed_casters(&mesh, &topology),
         };
+        let edges = CasterEdges::new(&mesh, &topology, triangles);
         let apexes = match self.caps {
             Caps::Fan => fan_apexes(&mesh, &topology),
             Caps::Triangles | Caps::FarTriangles => Vec::new(),
@@ -106,16 +88,19 @@ impl ShadowMethod for SilhouetteCpu {
             extractor: Extractor::new(self.extraction, self.hextree_depth, &mesh, &topology),
             silhouette: Vec::new(),
             keep: self.keep,
-            volumes: PortableVolumes::new(context, &self.volume),
+            volumes: PortableVolumes::new(context, &volume)?,
             facings: Facings::new(&mesh),
             of_triangles: vec![0; mesh.triangles.len()],
             elements: elements(context.gpu, 0)?,
             faces: Faces::default(),
             kept: None,
+            drawn: DrawnVolumes::default(),
             mesh,
             topology,
             edges,
-            planner,
+            planner: Planner::new(context, volume, casting, Determinism::default()),
+            open_edges: Rc::clone(context.open_edges()),
+            capping,
             apexes,
         }))
     }
@@ -128,14 +113,16 @@ fn elements(gpu: &Gpu, bytes: u64) -> Result<wgpu::Buffer, crate::gpu::DeviceErr
 
 /// The method ready for a scene.
 struct CpuVolumes {
-    mesh: Mesh,
+    mesh: Arc<Mesh>,
     topology: Rc<Topology>,
     edges: CasterEdges,
+    open_edges: Rc<OpenEdges>,
     extractor: Extractor,
     /// That of the last light.
     silhouette: Vec<SilhouetteEdge>,
     keep: bool,
     planner: Planner,
+    capping: Capping,
     /// See [`fan_apexes`].
     apexes: Vec<u32>,
     facings: Facings,
@@ -145,13 +132,14 @@ struct CpuVolumes {
     faces: Faces,
     elements: wgpu::Buffer,
     kept: Option<Kept>,
+    /// Of the last frame.
+    drawn: DrawnVolumes,
 }
 
 /// What the last frame was drawn from.
 struct Kept {
     light: Vec4,
-    plans: Vec<CasterPlan>,
-    far_ends_meet: bool,
+    plans: Vec<CappedPlan>,
     corners: Corners,
 }
 
@@ -163,8 +151,12 @@ impl PreparedMethod for CpuVolumes {
     fn record(&mut self, frame: &mut Frame<'_>) -> anyhow::Result<()> {
         let (view, resources, gpu) = (*frame.view(), frame.resources(), frame.gpu());
         let casters = &resources.extents.casters;
-        let plans = frame.stage(CHOOSE_STAGE, |stage| {
-            stage.on_processor(|| self.planner.plans(&view, casters))
+        let (plan, plans) = frame.stage(CHOOSE_STAGE, |stage| {
+            stage.on_processor(|| {
+                let plan = self.planner.plan(&view, casters);
+                let plans = self.capping.plans(&plan.casters, &view, casters);
+                (plan, plans)
+            })
         });
         let light = view.light.place;
         let kept = self
@@ -180,12 +172,10 @@ impl PreparedMethod for CpuVolumes {
                 });
             });
         }
-        let far_ends_meet = light.w == 0.0 && !self.planner.ends_on_plane(&view);
-        let same = kept.filter(|kept| kept.plans == plans && kept.far_ends_meet == far_ends_meet);
+        let same = kept.filter(|kept| kept.plans == plans);
         let corners = match same {
             Some(kept) => kept.corners,
             None => frame.stage("upload", |stage| {
-                self.faces.far_ends_meet = far_ends_meet;
                 stage.on_processor(|| self.make_faces(&plans, light));
                 self.upload(stage, gpu)
             })?,
@@ -194,20 +184,35 @@ impl PreparedMethod for CpuVolumes {
             self.volumes
                 .record(stage, resources, &self.elements, &corners);
         });
-        self.volumes.resolve.record(frame);
+        self.volumes
+            .resolve
+            .record(frame, RESOLVE_STAGE, plan.near_count);
+        if let Some(near_count) = plan.near_count_of_rest {
+            frame.stage(OPEN_EDGES_STAGE, |stage| {
+                self.volumes
+                    .record_open_edges(stage, resources, &self.elements, &corners);
+            });
+            self.volumes
+                .resolve
+                .record(frame, RESOLVE_REST_STAGE, near_count);
+        }
         self.kept = Some(Kept {
             light,
             plans,
-            far_ends_meet,
             corners,
         });
+        self.drawn = plan.drawn();
         Ok(())
+    }
+
+    fn drawn_volumes(&self) -> Option<DrawnVolumes> {
+        Some(self.drawn)
     }
 }
 
 impl CpuVolumes {
     /// Lists the faces of all volumes.
-    fn make_faces(&mut self, plans: &[CasterPlan], light: Vec4) {
+    fn make_faces(&mut self, plans: &[CappedPlan], light: Vec4) {
         let Self {
             mesh,
             topology,
@@ -227,29 +232,61 @@ impl CpuVolumes {
             } else {
                 edges.caster(found.edge)
             }];
-            let multiplicity = match plan.casting {
+            if !plan.caster.is_drawn {
+                continue;
+            }
+            let multiplicity = match plan.caster.casting {
                 Casting::All => found.multiplicity,
-                Casting::LightFacing => {
-                    edges.light_facing_multiplicity(mesh, topology, light, *found)
-                }
+                Casting::EachSide if edges.is_irregular(found.edge) => continue,
+                // Of two triangles in opposite directions, one faces the light where both have a facing.
+                _ if found.multiplicity % 2 == 0 => found.multiplicity / 2,
+                _ => edges.light_facing_multiplicity(mesh, topology, light, found.edge),
             };
+            if multiplicity == 0 {
+                continue;
+            }
             let edge = edges.directed(found.edge, multiplicity);
-            faces.side(&edge, plan.z_pass);
+            faces.side(&edge, plan);
             if plan.fan_in_front {
                 faces.fan_front(&edge, apexes[edge.a as usize]);
             }
             if plan.fan_behind {
-                faces.fan_back(&edge, apexes[edge.a as usize]);
+                faces.fan_back(&edge, apexes[edge.a as usize], plan);
             }
         }
+        for (caster, &plan) in plans.iter().enumerate() {
+            if plan.caster.is_drawn && plan.caster.casting == Casting::EachSide {
+                self.make_other_sides(caster, plan, light);
+            }
+        }
+        self.make_caps(plans, light);
+    }
+
+    /// What a caster that casts [`Casting::EachSide`] has beside the sides of its regular edges.
+    fn make_other_sides(&mut self, caster: usize, plan: CappedPlan, light: Vec4) {
+        let (mesh, topology) = (&self.mesh, &self.topology);
+        for &edge in self.edges.irregular(caster) {
+            let multiplicity = self
+                .edges
+                .light_facing_multiplicity(mesh, topology, light, edge);
+            self.faces
+                .side(&self.edges.directed(edge, multiplicity), plan);
+        }
+        for open in self.open_edges.of(caster) {
+            let edge = self.edges.directed(open.edge, open.multiplicity);
+            self.faces.open_side(&edge, plan);
+        }
+    }
+
+    fn make_caps(&mut self, plans: &[CappedPlan], light: Vec4) {
         if plans.iter().any(|plan| plan.has_triangles()) {
-            self.facings.find(mesh, light, &mut self.of_triangles);
-            let casters = mesh.casters().zip(plans);
+            self.facings.find(&self.mesh, light, &mut self.of_triangles);
+            let casters = self.mesh.casters().zip(plans);
             for (caster, plan) in casters.filter(|(_, plan)| plan.has_triangles()) {
                 let triangles = caster.triangle_range();
-                let of_caster = mesh.triangles[triangles.clone()].iter();
+                let of_caster = self.mesh.triangles[triangles.clone()].iter();
                 for (triangle, facing) in of_caster.zip(&self.of_triangles[triangles]) {
-                    self.planner.cap(faces, *plan, *triangle, *facing);
+                    self.faces.caps(&self.capping, *plan, *triangle, *facing);
                 }
             }
         }
@@ -261,26 +298,27 @@ impl CpuVolumes {
             depth_passes,
             depth_fails,
             everywhere,
-            ..
+            of_open_edges,
         } = &self.faces;
-        let lists = [depth_passes, depth_fails, everywhere];
+        let lists = [depth_passes, depth_fails, everywhere, of_open_edges];
         let bytes = |corners: usize| (corners * size_of::<u32>()) as u64;
         let needed = bytes(lists.iter().map(|list| list.len()).sum());
         if needed > self.elements.size() {
             self.elements = elements(gpu, needed + needed / 2)?;
         }
         let mut first = 0;
-        let mut ranges = [const { 0..0 }; 3];
+        let mut ranges = [const { 0..0 }; 4];
         for (list, range) in lists.into_iter().zip(&mut ranges) {
             stage.upload(&self.elements, bytes(first), bytemuck::cast_slice(list))?;
             *range = first as u32..(first + list.len()) as u32;
             first += list.len();
         }
-        let [depth_passes, depth_fails, everywhere] = ranges;
+        let [depth_passes, depth_fails, everywhere, of_open_edges] = ranges;
         Ok(Corners {
             depth_passes,
             depth_fails,
             everywhere,
+            of_open_edges,
         })
     }
 }

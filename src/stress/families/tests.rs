@@ -17,7 +17,7 @@ fn only(scene: &Scene, name: &str) -> Mesh {
     assert!(!objects.is_empty(), "{name}");
     Mesh {
         objects,
-        ..scene.mesh.clone()
+        ..Mesh::clone(&scene.mesh)
     }
 }
 

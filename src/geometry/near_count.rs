@@ -1,0 +1,246 @@
+//! In how many shadow volumes the near rectangle lies, object by object: where z-pass may begin to count.
+//!
+//! Counting z-pass begins at the near plane, so it misses the volumes that are entered before it. Where no side quad of an
+//! object's volume and none of its triangles meets the near rectangle, all of the rectangle is in the same number of
+//! them, which one ray towards the light counts: for each triangle that it pierces, one. z-pass that begins with this
+//! number is right wherever the eye is, and needs no caps. (Crow 1977 begins with the number of volumes around the eye, which
+//! is one point; Everitt and Kilgard 2002, section 5.4, ask for the whole near rectangle when the number is 0.)
+
+use super::open_edges::winding;
+use super::{Bounds, Determinism, Edge, EdgeTriangles, NearVolume, Topology};
+use crate::scene::Mesh;
+use glam::{DVec3, Vec4};
+use rayon::prelude::*;
+use std::ops::Range;
+
+/// So many edges or triangles, one after another in the mesh, have a box around them.
+const IN_A_GROUP: usize = 64;
+
+/// Which triangles of an object cast.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Casts {
+    /// All, each its own volume.
+    All,
+    /// Those that face the light.
+    LightFacing,
+    /// Those that face the light, and then the others by the edges that [`OpenEdges`](super::OpenEdges) are.
+    EachSide,
+}
+
+/// In how many volumes of an object the near rectangle lies.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct NearCount {
+    /// Of all triangles, or of those that face the light, whichever casts.
+    pub of_casting: i32,
+    /// Of all triangles, each with the sign of its winding: what S of [`super::open_edges`] is here.
+    pub of_windings: i32,
+}
+
+/// Points of the near rectangle that rays start from: parts of its sides. One after another is tried until a ray keeps away
+/// from all edges; no edge of a regular mesh goes through all of them.
+const STARTS: [[f64; 2]; 6] = [
+    [0.503, 0.491],
+    [0.287, 0.631],
+    [0.713, 0.347],
+    [0.391, 0.173],
+    [0.847, 0.789],
+    [0.139, 0.911],
+];
+
+/// A ray this near to an edge, as a part of the distances involved, does not decide on which side of it it is.
+const DOUBT: f64 = 1e-9;
+
+/// Boxes around edges and triangles, by which the few near a ray are found.
+pub struct NearCounts {
+    objects: Vec<ObjectGroups>,
+}
+
+/// The groups of one object that casts.
+struct ObjectGroups {
+    edges: Groups,
+    triangles: Groups,
+}
+
+/// Consecutive elements, [`IN_A_GROUP`] to a box.
+struct Groups {
+    all: Range<usize>,
+    boxes: Vec<Bounds>,
+}
+
+impl Groups {
+    fn new(all: Range<usize>, bounds: impl Fn(Range<usize>) -> Bounds + Sync) -> Self {
+        let starts = all.clone().into_par_iter().step_by(IN_A_GROUP);
+        let boxes = starts.map(|start| bounds(start..all.end.min(start + IN_A_GROUP)));
+        Self {
+            boxes: boxes.collect(),
+            all,
+        }
+    }
+
+    /// Those in groups that may have something in the near volume.
+    fn near<'a>(&'a self, volume: &'a NearVolume) -> impl Iterator<Item = usize> + 'a {
+        let starts = self.all.clone().step_by(IN_A_GROUP);
+        let groups = starts.zip(&self.boxes);
+        groups
+            .filter(|(_, bounds)| volume.may_meet(**bounds))
+            .flat_map(|(start, _)| start..self.all.end.min(start + IN_A_GROUP))
+    }
+}
+
+impl NearCounts {
+    /// For the objects of a mesh that cast.
+    pub fn build(mesh: &Mesh, topology: &Topology) -> Self {
+        let at = |vertex: u32| &mesh.positions[vertex as usize];
+        let objects = mesh.objects.iter().zip(&topology.object_edges);
+        let casters = objects.filter(|(object, _)| object.casts_shadow);
+        let groups = casters.map(|(object, edges)| ObjectGroups {
+            edges: Groups::new(edges.start as usize..edges.end as usize, |edges| {
+                let edges = topology.edges[edges].iter();
+                Bounds::of(edges.flat_map(|edge| [at(edge.a), at(edge.b)]))
+            }),
+            triangles: Groups::new(object.triangle_range(), |triangles| {
+                let vertices = mesh.triangles[triangles].iter().flatten();
+                Bounds::of(vertices.map(|vertex| at(*vertex)))
+            }),
+        });
+        Self {
+            objects: groups.collect(),
+        }
+    }
+
+    /// In how many volumes of the object that casts with this number, in drawing order, all of the near rectangle lies;
+    /// `None` where not all of it may lie in the same ones. Which way the `triangles` of edges are wound matters where
+    /// not all cast. A triangle whose facing is against its own winding seen
+    /// from the light, by rounding, counts as its volume does.
+    pub fn count(
+        &self,
+        (mesh, topology, triangles): (&Mesh, &Topology, Option<&EdgeTriangles>),
+        caster: usize,
+        near: &NearRay<'_>,
+    ) -> Option<NearCount> {
+        let groups = &self.objects[caster];
+        let at = |vertex: u32| mesh.positions[vertex as usize];
+        let facing = |a, b, c| near.determinism.facing(at(a), at(b), at(c), near.light);
+        // Whether it has side quads.
+        let is_drawn = |edge: Edge| {
+            let opposites = topology.opposites_of(edge).iter();
+            let facings = opposites.map(|&o| facing(edge.a, edge.b, o));
+            let Some(triangles) = triangles.filter(|_| near.casts != Casts::All) else {
+                return facings.sum::<i32>() != 0;
+            };
+            let windings = triangles.of(edge).iter().copied().map(winding);
+            let facing_light = facings.zip(windings.clone()).filter(|(f, w)| f == w);
+            let open: i32 = windings.sum();
+            facing_light.map(|(facing, _)| facing).sum::<i32>() != 0
+                || open != 0 && near.casts == Casts::EachSide
+        };
+        let crosses = |edge: usize| {
+            let edge = topology.edges[edge];
+            let ends = [edge.a, edge.b].map(|vertex| at(vertex).as_dvec3());
+            near.volume.may_meet_segment(ends) && is_drawn(edge)
+        };
+        if groups.edges.near(near.volume).any(crosses) {
+            return None;
+        }
+        let candidates: Vec<_> = groups.triangles.near(near.volume).collect();
+        let corners = |triangle: usize| mesh.corners(triangle).map(|corner| corner.as_dvec3());
+        let meets = |triangle: &usize| near.volume.may_meet_near_rectangle(corners(*triangle));
+        if candidates.iter().any(meets) {
+            return None;
+        }
+        let from_start = |start| {
+            let ray = near.ray(start);
+            let mut count = NearCount::default();
+            for &triangle in &candidates {
+                let [a, b, c] = mesh.triangles[triangle];
+                if a == b || b == c || c == a {
+                    continue;
+                }
+                let pierced = ray.pierces(corners(triangle))?;
+                if pierced != 0 {
+                    count.of_windings += pierced;
+                    count.of_casting += pierced
+                        * match (facing(a, b, c), near.casts) {
+                            (-1, Casts::LightFacing | Casts::EachSide) => 0,
+                            (facing, _) => facing,
+                        };
+                }
+            }
+            Some(count)
+        };
+        STARTS.into_iter().find_map(from_start)
+    }
+}
+
+/// What is asked of all objects in a frame.
+pub struct NearRay<'a> {
+    /// The near volume of the frame.
+    pub volume: &'a NearVolume,
+    /// The light.
+    pub light: Vec4,
+    /// How the object casts.
+    pub casts: Casts,
+    /// How facings are found.
+    pub determinism: Determinism,
+}
+
+impl NearRay<'_> {
+    fn ray(&self, [right, up]: [f64; 2]) -> Ray {
+        let [corner, along, _, across] = self.volume.near_rectangle();
+        let from = corner + (along - corner) * right + (across - corner) * up;
+        let light = self.light.as_dvec4();
+        Ray {
+            from,
+            towards: light.truncate() - from * light.w,
+            ends: light.w != 0.0,
+        }
+    }
+}
+
+/// From a point towards the light.
+struct Ray {
+    from: DVec3,
+    towards: DVec3,
+    /// Whether it ends there.
+    ends: bool,
+}
+
+impl Ray {
+    /// 0 if the triangle is not on the way to the light, 1 if it is and looks counter-clockwise from the light, -1 if it
+    /// looks clockwise; `None` where that is too near to tell.
+    fn pierces(&self, corners: [DVec3; 3]) -> Option<i32> {
+        let [a, b, c] = corners.map(|corner| corner - self.from);
+        let length = self.towards.length();
+        let mut sides = [0; 3];
+        for (side, (p, q)) in sides.iter_mut().zip([(a, b), (b, c), (c, a)]) {
+            let distance = self.towards.dot(p.cross(q));
+            *side = sign(distance, DOUBT * length * p.length() * q.length());
+        }
+        if sides.contains(&1) && sides.contains(&-1) {
+            return Some(0);
+        }
+        if sides.contains(&0) {
+            return None;
+        }
+        let normal = (b - a).cross(c - a);
+        let (along, ahead) = (normal.dot(self.towards), normal.dot(a));
+        // The plane is met at this part of the way.
+        let at = ahead / along;
+        let doubt = DOUBT * normal.length() * (length + a.length()) / along.abs();
+        if at.is_nan() || at.abs() <= doubt || self.ends && (at - 1.0).abs() <= doubt {
+            return None;
+        }
+        let is_before = at > 0.0 && !(self.ends && at > 1.0);
+        Some(if is_before { sides[0] } else { 0 })
+    }
+}
+
+fn sign(x: f64, doubt: f64) -> i32 {
+    if x > doubt {
+        1
+    } else if x < -doubt {
+        -1
+    } else {
+        0
+    }
+}
