@@ -65,6 +65,13 @@ pub(crate) fn available_bytes() -> Option<u64> {
     [machine, group, own].into_iter().flatten().min()
 }
 
+/// The most memory that this process has had at once, in bytes; `None` where nobody says. On a software rasteriser the
+/// device's memory is in it.
+pub(crate) fn peak_bytes() -> Option<u64> {
+    let status = std::fs::read_to_string("/proc/self/status").ok()?;
+    kib(&status, "VmHWM:")
+}
+
 /// What of a group's memory holds copies of files, and is given up when somebody needs it.
 fn cached_bytes(stat: &str) -> u64 {
     let numbers = stat.lines().filter_map(|line| line.split_once(' '));
@@ -100,6 +107,8 @@ mod tests {
         let text = "MemTotal:       24601324 kB\nMemAvailable:   2048 kB\n";
         assert_eq!(kib(text, "MemAvailable:"), Some(2 << 20));
         assert_eq!(kib(text, "SwapFree:"), None);
+        let peak = peak_bytes();
+        assert!(!cfg!(target_os = "linux") || peak.is_some_and(|peak| peak > 1 << 20));
         let stat = "anon 7\nfile 9\ninactive_file 4\nactive_file 2\n";
         assert_eq!(cached_bytes(stat), 6);
     }

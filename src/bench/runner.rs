@@ -7,6 +7,7 @@ use super::scene_run::{SceneOutcome, run_scene};
 use crate::config::RunPlan;
 use crate::gpu::{Gpu, shader};
 use crate::judge::Observer;
+use crate::memory;
 use crate::record::RunDirError;
 use crate::record::provenance::program_git;
 use crate::record::run_dir::RunDir;
@@ -130,6 +131,7 @@ pub(super) fn run_scenes(
     };
     let mut close = || {
         dir.write_summary(summaries)?;
+        info.peak_memory_bytes = memory::peak_bytes();
         info.files = dir.file_records()?;
         dir.write_info(info)
     };
@@ -175,6 +177,7 @@ fn info(request: &RunRequest<'_>) -> RunInfo {
         config_path: plan.path.clone(),
         config_text: plan.text.clone(),
         scale: plan.scale.clone(),
+        peak_memory_bytes: None,
         warnings: Vec::new(),
         files: Vec::new(),
     }

@@ -30,6 +30,16 @@ pub fn winding(triangle: EdgeTriangle) -> i32 {
     if triangle.is_along() { 1 } else { -1 }
 }
 
+/// Whether an edge with these triangles may be on the silhouette of those that face the light without being on that of
+/// all: not so if it has one, or two in opposite directions.
+pub fn is_irregular(triangles: &[EdgeTriangle]) -> bool {
+    match triangles {
+        [_] => false,
+        [one, other] => one.is_along() == other.is_along(),
+        _ => true,
+    }
+}
+
 impl OpenEdges {
     /// Finds them.
     pub fn new(mesh: &Mesh, topology: &Topology, triangles: &EdgeTriangles) -> Self {

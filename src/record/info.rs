@@ -53,6 +53,10 @@ pub struct RunInfo {
     /// The scale at which the configuration was run; empty in runs from before there were scales.
     #[serde(default)]
     pub scale: String,
+    /// The most memory that the program had at once, in bytes; missing while the run is under way, where nobody says, and
+    /// in runs from before it was noted.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub peak_memory_bytes: Option<u64>,
     /// What the reader should know before trusting a number.
     pub warnings: Vec<String>,
     /// The tables and pictures as they were when the run ended; empty while it is under way, and in runs from before

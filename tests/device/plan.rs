@@ -117,6 +117,27 @@ fn room() -> Scene {
     of_mesh("room", parts.into_iter().collect())
 }
 
+/// Spheres with triangles wound at random, some missing and some twice.
+fn flipped() -> Scene {
+    let mut random = ChaCha8Rng::seed_from_u64(41);
+    let mesh = &spheres("", |_| true).mesh;
+    let parts = mesh.objects.iter().map(|object| {
+        let mut triangles = Vec::new();
+        for triangle in object.triangle_range() {
+            let [a, b, c] = mesh.corners(triangle);
+            let triangle = if random.random_bool(0.3) {
+                [a, c, b]
+            } else {
+                [a, b, c]
+            };
+            let copies = [0, 1, 1, 1, 1, 1, 1, 1, 1, 2][random.random_range(0..10usize)];
+            triangles.extend(std::iter::repeat_n(triangle, copies));
+        }
+        Part::of_triangles("flipped", &triangles)
+    });
+    of_mesh("flipped", parts.collect())
+}
+
 fn scenes() -> Vec<Scene> {
     let mut two_sided: Vec<[Vec3; 3]> = Vec::new();
     for number in 0..12 {
@@ -138,6 +159,7 @@ fn scenes() -> Vec<Scene> {
         spheres("spheres", |_| true),
         spheres("spheres with holes", |triangle| triangle % 37 > 2),
         spheres("scales", |triangle| triangle % 2 == 0),
+        flipped(),
         room(),
         scene_over_ground(&two_sided, 0.0, Vec4::W, &view()),
     ];

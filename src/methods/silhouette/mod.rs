@@ -12,6 +12,7 @@ use super::{MethodError, MethodInfo, PrepareContext, ShadowMethod};
 use crate::frame::DepthSetup;
 use crate::frame::PreparedMethod;
 use crate::frame::SceneBuffers;
+use crate::geometry::EdgeTriangles;
 use crate::gpu::native::{PrimitiveTopology, Raster, VertexInput};
 use crate::gpu::shader::{self, Spirv};
 use crate::parameters;
@@ -119,6 +120,7 @@ impl<S: SideStage> ShadowMethod for Silhouette<S> {
             context,
             parameters,
             edges,
+            triangles,
             chosen: self.edges()? == Edges::NearSilhouette,
             stage: PhantomData::<S>,
         };
@@ -152,6 +154,8 @@ struct Sides<'a, S> {
     context: &'a PrepareContext<'a>,
     parameters: &'a StageVolumeParameters,
     edges: EdgeRecords,
+    /// Where not all triangles cast.
+    triangles: Option<&'a EdgeTriangles>,
     /// Whether the edges of a frame are chosen on the processor.
     chosen: bool,
     stage: PhantomData<S>,
@@ -231,7 +235,7 @@ impl<S: SideStage> Sides<'_, S> {
 
     fn chosen(&mut self, elements: Elements) -> Result<(wgpu::Buffer, Draws), MethodError> {
         let PrepareContext { gpu, scene, .. } = self.context;
-        let of = (&*scene.mesh, &**self.context.topology());
+        let of = (&*scene.mesh, &**self.context.topology(), self.triangles);
         let chosen = NearSilhouette::new(gpu, of, &mut self.edges, elements)?;
         let buffer = chosen.buffer().clone();
         Ok((buffer, Draws::Chosen(Box::new(chosen))))

@@ -2,8 +2,9 @@
 
 use super::edges::EdgeRecords;
 use crate::frame::Frame;
-use crate::geometry::Topology;
+use crate::geometry::open_edges::is_irregular;
 use crate::geometry::silhouette::PlaneTree;
+use crate::geometry::{EdgeTriangles, Topology};
 use crate::gpu::{DeviceError, Gpu};
 use crate::methods::volumes::ChooseDraws;
 use crate::scene::Mesh;
@@ -24,6 +25,8 @@ pub(super) enum Elements {
 /// Chooses edges for a light.
 pub(super) struct NearSilhouette {
     tree: PlaneTree,
+    /// Edges that the tree may leave out though triangles that face the light have them on their silhouette.
+    irregular: Vec<u32>,
     elements: Elements,
     /// The records of each edge.
     records: Vec<Range<u32>>,
@@ -38,13 +41,13 @@ pub(super) struct NearSilhouette {
 }
 
 impl NearSilhouette {
-    /// For these records of the edges of a topology.
+    /// For these records of the edges of a topology; with its `triangles` where not all of them cast.
     ///
     /// # Errors
     /// When the device has no room for the elements of all of them.
     pub(super) fn new(
         gpu: &Gpu,
-        (mesh, topology): (&Mesh, &Topology),
+        (mesh, topology, triangles): (&Mesh, &Topology, Option<&EdgeTriangles>),
         records: &mut EdgeRecords,
         elements: Elements,
     ) -> Result<Self, DeviceError> {
@@ -57,7 +60,13 @@ impl NearSilhouette {
         let objects = mesh.objects.iter().zip(&topology.object_edges);
         let casters = objects.filter(|(object, _)| object.casts_shadow);
         let objects: Vec<_> = casters.map(|(_, edges)| edges.clone()).collect();
+        let irregular = triangles.map_or(Vec::new(), |triangles| {
+            let edges = (0..).zip(&topology.edges);
+            let irregular = edges.filter(|(_, edge)| is_irregular(triangles.of(**edge)));
+            irregular.map(|(number, _)| number).collect()
+        });
         Ok(Self {
+            irregular,
             tree: PlaneTree::build(mesh, topology),
             elements,
             records: std::mem::take(&mut records.of_edges),
@@ -75,8 +84,15 @@ impl NearSilhouette {
     }
 
     fn choose_for(&mut self, light: Vec4) {
-        let Self { tree, marked, .. } = self;
-        tree.for_each_asked(light, |edge| marked[edge as usize / 64] |= 1 << (edge % 64));
+        let Self {
+            tree,
+            irregular,
+            marked,
+            ..
+        } = self;
+        let mut mark = |edge: u32| marked[edge as usize / 64] |= 1 << (edge % 64);
+        tree.for_each_asked(light, &mut mark);
+        irregular.iter().copied().for_each(mark);
         self.chosen.clear();
         self.draws.clear();
         for object in 0..self.objects.len() {

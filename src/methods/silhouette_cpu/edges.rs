@@ -1,5 +1,6 @@
 //! What is known of silhouette edges before there is a light.
 
+use crate::geometry::open_edges::is_irregular;
 use crate::geometry::{EdgeTriangles, Topology, facing, vertex_less};
 use crate::methods::side_quad::DirectedEdge;
 use crate::scene::Mesh;
@@ -19,7 +20,7 @@ pub(super) struct CasterEdges {
     /// The caster that each edge belongs to, in drawing order.
     casters: Vec<u32>,
     triangles: Rc<EdgeTriangles>,
-    /// Of each caster the edges that have other than one triangle, or two in opposite directions.
+    /// Of each caster, see [`is_irregular`].
     irregular: Vec<Vec<u32>>,
 }
 
@@ -32,11 +33,7 @@ impl CasterEdges {
         let casters = (0..)
             .zip(of_casters.clone())
             .flat_map(|(caster, edges)| edges.clone().map(move |_| caster));
-        let is_irregular = |edge: &u32| match triangles.of(topology.edges[*edge as usize]) {
-            [_] => false,
-            [one, other] => one.is_along() == other.is_along(),
-            _ => true,
-        };
+        let is_irregular = |edge: &u32| is_irregular(triangles.of(topology.edges[*edge as usize]));
         let irregular = of_casters.map(|edges| edges.clone().filter(is_irregular).collect());
         let at = |vertex: u32| mesh.positions[vertex as usize];
         let ends = (0..).zip(&topology.edges).map(|(number, edge)| {
