@@ -71,6 +71,7 @@ pub(super) fn info(scenes: &[&str], methods: &[&str]) -> RunInfo {
         config_path: "made_up.toml".to_owned(),
         config_text: "seed = 7".to_owned(),
         scale: String::new(),
+        peak_memory_bytes: None,
         warnings: Vec::new(),
     }
 }
