@@ -91,6 +91,8 @@ pub struct Advice {
     pub verified: usize,
     /// Width and height of the pictures.
     pub size_px: (u32, u32),
+    /// The device's name.
+    pub device: String,
     /// First [`FULL`], then the others.
     pub measured: Vec<Measured>,
 }
@@ -162,6 +164,7 @@ pub fn advise(request: &Request<'_>) -> anyhow::Result<Advice> {
         frames: times_s.len(),
         verified,
         size_px,
+        device: gpu.info.name.clone(),
         measured: candidates.into_iter().map(Candidate::done).collect(),
     })
 }

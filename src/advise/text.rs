@@ -7,29 +7,34 @@ use std::fmt::{Display, Formatter, Result};
 /// A saving of less than this part is not worth a word.
 const WORTH_A_WORD: f64 = 1.1;
 
+/// A method that is faster by less may be so by chance.
+const WORTH_THE_CHANGE: f64 = 1.25;
+
 impl Display for Advice {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         writeln!(f, "{}", self.scene)?;
         self.shape.write(f)?;
         let (width, height) = self.size_px;
-        let drawn = self.measured.iter().rev().find_map(|method| {
-            let drawn = method
-                .drawn
-                .filter(|_| method.method.contains("plan=auto"))?;
-            Some((&method.method, drawn))
-        });
-        if let Some((method, drawn)) = drawn {
+        let planned = self
+            .pick()
+            .map(|(pick, _)| pick)
+            .into_iter()
+            .chain(&self.measured);
+        let mut with_plan = planned.filter(|method| method.method.contains("plan=auto"));
+        if let Some((method, drawn)) = with_plan.find_map(|m| Some((&m.method, m.drawn?))) {
             let frames = self.frames;
             writeln!(
                 f,
-                "\nthe plan at {frames} moments of the flight ({method}), objects a frame"
+                "\nthe plan of {method}, objects a frame at {frames} moments of the flight"
             )?;
             write_plan(f, drawn, frames)?;
         }
         writeln!(
             f,
-            "\nmeasured at {width} × {height}, median of {} frames; wrong pixels of {} frames together",
-            self.frames, self.verified
+            "\nmeasured on {} at {width} × {height}: median shadow time of {} frames, with all that is found on the processor; \
+             pixels of {} frames together, against a ray-traced truth\n\
+             {FULL} draws whole volumes, z-fail, with caps; artifacts are wrong pixels away from true boundaries",
+            self.device, self.frames, self.verified
         )?;
         self.write_measured(f)?;
         writeln!(f, "\n{}", self.advice())
@@ -70,8 +75,8 @@ impl Shape {
         } = overdraw;
         writeln!(
             f,
-            "    side quads cover a pixel {infinity:.1} times if volumes reach to infinity, {scene:.1} times if all end \
-             beside the scene, {object:.1} times if each ends where it may"
+            "    side quads of whole volumes cover a pixel {infinity:.1} times if they reach to infinity, {scene:.1} times if all \
+             are cut on one plane beside the scene (as without a plan), {object:.1} times if each object's are cut on its own"
         )
     }
 }
@@ -89,17 +94,26 @@ fn write_plan(f: &mut Formatter<'_>, drawn: DrawnVolumes, frames: usize) -> Resu
         at_infinity,
     } = drawn;
     for (count, what) in [
-        (culled, "cannot shadow anything in view: not drawn"),
-        (z_pass, "counted z-pass, without caps"),
-        (z_pass_counted, "of these around the eye, counted by a ray"),
+        (culled, "not drawn: they cannot shadow anything in view"),
+        (z_pass, "counted z-pass, which needs no caps"),
+        (
+            z_pass_counted,
+            "    with the eye in them: a ray counts how often",
+        ),
         (z_fail, "counted z-fail, with caps"),
-        (light_facing, "closed: light-facing triangles alone"),
+        (
+            light_facing,
+            "closed: only their light-facing triangles cast, in half the side quads",
+        ),
         (
             each_side,
-            "open here and there: light-facing triangles, then the rest by open edges",
+            "nearly closed: light-facing triangles cast first, the rest by open edges, in fewer side quads",
         ),
-        (all, "all triangles"),
-        (at_infinity, "with volumes to infinity"),
+        (all, "too open for that: all triangles cast"),
+        (
+            at_infinity,
+            "volumes that cannot be cut, and reach to infinity",
+        ),
     ] {
         if count > 0 {
             writeln!(f, "{:>10.1}  {what}", a_frame(count))?;
@@ -120,7 +134,7 @@ impl Advice {
         writeln!(
             f,
             "    {:name_width$}  {:>9}  {:>7}  {:>8}  {:>9}",
-            "method", "shadow ms", "of full", "wrong px", "artifacts"
+            "method", "shadow ms", "ratio", "wrong px", "artifacts"
         )?;
         for Measured {
             method,
@@ -153,7 +167,11 @@ impl Advice {
         };
         let mut advice = format!("advice: {}", pick.method);
         if let Some(full) = self.full_ms().filter(|_| pick.method != FULL) {
-            advice.push_str(&format!(", {:.1} times as fast as {FULL}", full / ms));
+            let gain = full / ms;
+            advice.push_str(&format!(", {gain:.1} times as fast as {FULL}"));
+            if gain < WORTH_THE_CHANGE {
+                advice.push_str(", which is little");
+            }
         }
         let reasons = self.reasons(pick);
         if !reasons.is_empty() {
@@ -164,7 +182,7 @@ impl Advice {
             is_faster && !self.is_exact(method)
         });
         if let Some(faster) = faster {
-            let wrong = faster.artifact_px / self.verified.max(1) as u64;
+            let wrong = faster.wrong_px / self.verified.max(1) as u64;
             advice.push_str(&format!(
                 "\nfaster, if some {wrong} wrong pixels a frame do not matter: {}",
                 faster.method
@@ -182,27 +200,31 @@ impl Advice {
         let mut reasons = Vec::new();
         let percent = |part: u32| format!("{:.0} %", 100.0 * share(part));
         if share(drawn.z_pass) > 0.5 {
-            reasons.push(format!(
-                "{} of the volumes need no caps",
-                percent(drawn.z_pass)
-            ));
+            let share = percent(drawn.z_pass);
+            reasons.push(format!("{share} of the volumes in view need no caps"));
         }
         if share(drawn.light_facing) > 0.1 {
             reasons.push(format!(
-                "{} are of closed objects, and need but half their side quads",
+                "{} are of closed objects, and need half the side quads",
                 percent(drawn.light_facing)
             ));
         }
         if share(drawn.each_side) > 0.1 {
             reasons.push(format!(
-                "{} are of objects with few open edges, whose folds are drawn once",
+                "{} are of objects with few open edges, and need few side quads twice",
                 percent(drawn.each_side)
+            ));
+        }
+        if share(drawn.all) > 0.5 {
+            reasons.push(format!(
+                "but {} are of objects too open to leave triangles out",
+                percent(drawn.all)
             ));
         }
         let Overdraw { scene, object, .. } = self.shape.overdraw;
         if object > 0.0 && scene / object > WORTH_A_WORD {
             reasons.push(format!(
-                "volumes end where each may, and side quads cover {:.0} % less",
+                "side quads that are cut object by object cover {:.0} % less",
                 100.0 * (1.0 - object / scene)
             ));
         }
@@ -259,6 +281,7 @@ mod tests {
             verified: 2,
             size_px: (320, 240),
             measured,
+            device: "a device".to_owned(),
         }
     }
 
@@ -275,7 +298,10 @@ mod tests {
             text.contains("advice: silhouette_gs,plan=auto, 4.0 times as fast as silhouette_gs"),
             "{text}"
         );
-        assert!(text.contains("100 % of the volumes need no caps"), "{text}");
+        assert!(
+            text.contains("100 % of the volumes in view need no caps"),
+            "{text}"
+        );
         assert!(text.contains("cover 50 % less"), "{text}");
         let wrong =
             "faster, if some 15 wrong pixels a frame do not matter: silhouette_ts,plan=auto";

@@ -53,6 +53,9 @@ impl EndPlane {
 #[derive(Debug, Clone, Copy)]
 pub struct EndPlanes {
     light: Vec4,
+    /// Of the coefficients: a power of two that goes with the scene's size, so that far ends weigh as much beside near ones
+    /// in scenes of any size. A side quad that is clipped is then rounded alike.
+    weight: f64,
     /// How far beyond the scene each is from the origin; `None` where volumes may not end.
     distances: [Option<f64>; INWARD.len()],
 }
@@ -64,6 +67,7 @@ impl EndPlanes {
         if scene.is_empty() {
             return Self {
                 light,
+                weight: 1.0,
                 distances: Default::default(),
             };
         }
@@ -78,11 +82,13 @@ impl EndPlanes {
         };
         Self {
             light,
+            weight: size.max(f64::MIN_POSITIVE).log2().floor().exp2().recip(),
             distances: INWARD.map(distance),
         }
     }
 
-    /// The coefficients e of each plane, with e · (p, 1) ≥ 0 for all of the scene.
+    /// The coefficients e of each plane, with e · (p, 1) ≥ 0 for all of the scene; those of space are a normal into it, of
+    /// a length of 1 over about the scene's size.
     ///
     /// The point on it in the shadow of p is (e · l) p − (e · p) l, for a light l at a point (w = 1) or at
     /// infinity (w = 0). The plane at infinity, (0, 0, 0, 1), gives p − l and −l with w = 0.
@@ -90,7 +96,7 @@ impl EndPlanes {
         let mut planes = [AT_INFINITY; EndPlane::COUNT];
         for ((plane, inward), distance) in planes.iter_mut().zip(INWARD).zip(self.distances) {
             if let Some(distance) = distance {
-                *plane = inward.extend(distance).as_vec4();
+                *plane = (inward.extend(distance) * self.weight).as_vec4();
             }
         }
         planes
@@ -138,7 +144,9 @@ mod tests {
 
     fn end_plane(scene: Bounds, casters: Bounds, light: Vec4) -> Vec4 {
         let planes = EndPlanes::new(scene, light, &[]);
-        planes.coefficients()[planes.of(casters).index()]
+        let plane = planes.coefficients()[planes.of(casters).index()];
+        let length = plane.truncate().length();
+        if length > 0.0 { plane / length } else { plane }
     }
 
     #[test]
@@ -151,6 +159,25 @@ mod tests {
             assert_eq!(plane.truncate(), glam::Vec3::Y, "{light}");
             assert!(plane.w > 0.0 && plane.w < 0.1, "{plane}");
         }
+    }
+
+    #[test]
+    fn far_ends_weigh_alike_in_scenes_of_any_size() {
+        let light = Vec4::new(3.0, 20.0, 5.0, 1.0);
+        let end = |scale: f32| {
+            let scaled = |bounds: Bounds| Bounds {
+                low: bounds.low * f64::from(scale),
+                high: bounds.high * f64::from(scale),
+            };
+            let light = (light.truncate() * scale).extend(1.0);
+            let planes = EndPlanes::new(scaled(SCENE), light, &[]);
+            let plane = planes.coefficients()[planes.of(scaled(CASTERS)).index()];
+            let p = (Vec4::new(1.0, 2.0, 3.0, 0.0) * scale).with_w(1.0);
+            let end = p * plane.dot(light) - light * plane.dot(p);
+            (end.truncate() / scale).extend(end.w)
+        };
+        assert_eq!(end(1.0), end(1.0 / 4096.0));
+        assert_eq!(end(1.0), end(1024.0));
     }
 
     #[test]
