@@ -45,7 +45,6 @@ pub(super) fn info(scenes: &[&str], methods: &[&str]) -> RunInfo {
         ..MethodRecord::default()
     };
     RunInfo {
-        files: Vec::new(),
         format: FORMAT,
         status: RunStatus::Complete,
         title: "A made-up run".to_owned(),
@@ -70,9 +69,7 @@ pub(super) fn info(scenes: &[&str], methods: &[&str]) -> RunInfo {
         shader_hash: "feed".to_owned(),
         config_path: "made_up.toml".to_owned(),
         config_text: "seed = 7".to_owned(),
-        scale: String::new(),
-        peak_memory_bytes: None,
-        warnings: Vec::new(),
+        ..RunInfo::default()
     }
 }
 

@@ -3,7 +3,6 @@
 use maud::{Markup, html};
 
 use super::shell::{self, Section, details};
-use crate::memory;
 use crate::record::{RunInfo, SceneRecord};
 use crate::report::format::{count, date};
 use crate::report::load::Run;
@@ -80,9 +79,7 @@ fn settings(info: &RunInfo) -> Markup {
             }
             dt { "Driver" } dd { (device.driver) " " (device.driver_info) ", " (device.backend) }
             dt { "Host" } dd { (host.os) " " (host.arch) ", " (host.cores) " logical processors" }
-            @if let Some(bytes) = info.peak_memory_bytes {
-                dt { "Peak memory" } dd { (memory::size_text(bytes)) }
-            }
+            @if let Some(bytes) = info.peak_memory_bytes { dt { "Peak memory" } dd { (crate::memory::size_text(bytes)) } }
             dt { "Seed" } dd { (info.seed) }
             dt { "Shaders" } dd { code { (info.shader_hash) } }
             dt { "Run format" } dd { (info.format) }
