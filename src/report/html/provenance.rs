@@ -81,8 +81,7 @@ fn settings(info: &RunInfo) -> Markup {
             dt { "Host" } dd { (host.os) " " (host.arch) ", " (host.cores) " logical processors" }
             @if let Some(bytes) = info.peak_memory_bytes { dt { "Peak memory" } dd { (crate::memory::size_text(bytes)) } }
             dt { "Seed" } dd { (info.seed) }
-            dt { "Shaders" } dd { code { (info.shader_hash) } }
-            dt { "Run format" } dd { (info.format) }
+            dt { "Shaders" } dd { code { (info.shader_hash) } } dt { "Run format" } dd { (info.format) }
         }
     }
 }
