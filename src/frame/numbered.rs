@@ -2,7 +2,6 @@
 
 use crate::gpu::{DeviceError, Gpu};
 use crate::scene::Mesh;
-use bytemuck::{Pod, Zeroable};
 use std::ops::Range;
 
 /// Vertices by which a picture of triangle numbers is drawn. A flat value of a triangle is that of its first vertex, so each
@@ -15,11 +14,6 @@ pub(super) struct NumberedVertices {
     pub(super) vertices: wgpu::Buffer,
     pub(super) elements: wgpu::Buffer,
 }
-
-/// A vertex of the scene, by its number.
-#[repr(transparent)]
-#[derive(Clone, Copy, Pod, Zeroable)]
-struct Vertex(u32);
 
 impl NumberedVertices {
     pub(super) fn new(gpu: &Gpu, mesh: &Mesh) -> Result<Self, DeviceError> {
@@ -46,10 +40,10 @@ impl NumberedVertices {
         })
     }
 
-    /// The layout of a vertex, at shader location 0.
+    /// The layout of a vertex, the number of one of the scene, at shader location 0.
     pub(super) fn layout() -> wgpu::VertexBufferLayout<'static> {
         wgpu::VertexBufferLayout {
-            array_stride: size_of::<Vertex>() as u64,
+            array_stride: size_of::<u32>() as u64,
             step_mode: wgpu::VertexStepMode::Vertex,
             attributes: &wgpu::vertex_attr_array![0 => Uint32],
         }
@@ -73,9 +67,9 @@ impl NumberedVertices {
 }
 
 /// The vertex of the scene at each numbered vertex, first those of the triangles, and the elements of all triangles.
-fn number(mesh: &Mesh) -> (Vec<Vertex>, Vec<[u32; 3]>) {
+fn number(mesh: &Mesh) -> (Vec<u32>, Vec<[u32; 3]>) {
     const NONE: u32 = u32::MAX;
-    let mut vertices: Vec<_> = mesh.triangles.iter().map(|t| Vertex(t[0])).collect();
+    let mut vertices: Vec<_> = mesh.triangles.iter().map(|t| t[0]).collect();
     // Of each vertex of the scene the numbered vertex that was made last, or is made first, of those there.
     let mut nearest = vec![NONE; mesh.positions.len()];
     for (triangle, corners) in mesh.triangles.iter().enumerate().rev() {
@@ -88,7 +82,7 @@ fn number(mesh: &Mesh) -> (Vec<Vertex>, Vec<[u32; 3]>) {
             let known = &mut nearest[corner as usize];
             if *known == NONE {
                 *known = vertices.len() as u32;
-                vertices.push(Vertex(corner));
+                vertices.push(corner);
             }
             *known
         };

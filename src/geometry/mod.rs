@@ -2,6 +2,7 @@
 //! to reach.
 
 pub mod bounds;
+pub mod casting;
 pub mod edge_triangles;
 pub mod end_plane;
 pub mod facing;
@@ -12,10 +13,11 @@ pub mod silhouette;
 pub mod topology;
 
 pub use bounds::Bounds;
+pub use casting::Casting;
 pub use edge_triangles::{EdgeTriangle, EdgeTriangles};
 pub use end_plane::{EndPlane, EndPlanes};
 pub use facing::{Determinism, facing, vertex_less};
-pub use near_count::{Casts, NearCount, NearCounts, NearRay};
+pub use near_count::{NearCount, NearCounts, NearRay};
 pub use near_volume::NearVolume;
 pub use open_edges::OpenEdges;
 pub use topology::{Edge, EdgeCounts, Topology};

@@ -7,7 +7,7 @@
 //! is one point; Everitt and Kilgard 2002, section 5.4, ask for the whole near rectangle when the number is 0.)
 
 use super::open_edges::winding;
-use super::{Bounds, Determinism, Edge, EdgeTriangles, NearVolume, Topology};
+use super::{Bounds, Casting, Determinism, Edge, EdgeTriangles, NearVolume, Topology};
 use crate::scene::Mesh;
 use glam::{DVec3, Vec4};
 use rayon::prelude::*;
@@ -15,17 +15,6 @@ use std::ops::Range;
 
 /// So many edges or triangles, one after another in the mesh, have a box around them.
 const IN_A_GROUP: usize = 64;
-
-/// Which triangles of an object cast.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Casts {
-    /// All, each its own volume.
-    All,
-    /// Those that face the light.
-    LightFacing,
-    /// Those that face the light, and then the others by the edges that [`OpenEdges`](super::OpenEdges) are.
-    EachSide,
-}
 
 /// In how many volumes of an object the near rectangle lies.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -125,14 +114,14 @@ impl NearCounts {
         let is_drawn = |edge: Edge| {
             let opposites = topology.opposites_of(edge).iter();
             let facings = opposites.map(|&o| facing(edge.a, edge.b, o));
-            let Some(triangles) = triangles.filter(|_| near.casts != Casts::All) else {
+            let Some(triangles) = triangles.filter(|_| near.casting != Casting::All) else {
                 return facings.sum::<i32>() != 0;
             };
             let windings = triangles.of(edge).iter().copied().map(winding);
             let facing_light = facings.zip(windings.clone()).filter(|(f, w)| f == w);
             let open: i32 = windings.sum();
             facing_light.map(|(facing, _)| facing).sum::<i32>() != 0
-                || open != 0 && near.casts == Casts::EachSide
+                || open != 0 && near.casting == Casting::EachSide
         };
         let crosses = |edge: usize| {
             let edge = topology.edges[edge];
@@ -160,8 +149,8 @@ impl NearCounts {
                 if pierced != 0 {
                     count.of_windings += pierced;
                     count.of_casting += pierced
-                        * match (facing(a, b, c), near.casts) {
-                            (-1, Casts::LightFacing | Casts::EachSide) => 0,
+                        * match (facing(a, b, c), near.casting) {
+                            (-1, Casting::LightFacing | Casting::EachSide) => 0,
                             (facing, _) => facing,
                         };
                 }
@@ -179,7 +168,7 @@ pub struct NearRay<'a> {
     /// The light.
     pub light: Vec4,
     /// How the object casts.
-    pub casts: Casts,
+    pub casting: Casting,
     /// How facings are found.
     pub determinism: Determinism,
 }
@@ -242,5 +231,72 @@ fn sign(x: f64, doubt: f64) -> i32 {
         -1
     } else {
         0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::Part;
+    use glam::Vec3;
+
+    /// The count of an object of these triangles for a near rectangle of 0.2 × 0.2 around a point, under a lamp at
+    /// height 10 above the origin.
+    fn count(triangles: &[[Vec3; 3]], near: DVec3, casting: Casting) -> Option<NearCount> {
+        let mesh: Mesh = [Part::of_triangles("one", triangles)].into_iter().collect();
+        let topology = Topology::build(&mesh);
+        let edge_triangles = EdgeTriangles::build(&mesh, &topology);
+        let light = Vec4::new(0.0, 10.0, 0.0, 1.0);
+        let corners = [(-0.1, -0.1), (0.1, -0.1), (0.1, 0.1), (-0.1, 0.1)]
+            .map(|(x, y)| near + DVec3::new(x, y, 0.0));
+        let ray = NearRay {
+            volume: &NearVolume::new(corners, light),
+            light,
+            casting,
+            determinism: Determinism::default(),
+        };
+        let counts = NearCounts::build(&mesh, &topology);
+        counts.count((&mesh, &topology, Some(&edge_triangles)), 0, &ray)
+    }
+
+    /// A level square of side 8 at a height, of two triangles that face up, or down.
+    fn square(height: f32, up: bool) -> Vec<[Vec3; 3]> {
+        let at = |x: f32, z: f32| Vec3::new(4.0 * x, height, 4.0 * z);
+        let [a, b, c, d] = [at(-1.0, -1.0), at(-1.0, 1.0), at(1.0, 1.0), at(1.0, -1.0)];
+        if up {
+            vec![[a, b, c], [a, c, d]]
+        } else {
+            vec![[a, c, b], [a, d, c]]
+        }
+    }
+
+    #[test]
+    fn below_a_square_is_one_volume_below_its_edge_is_no_number_and_beside_it_none() {
+        for up in [true, false] {
+            let square = square(5.0, up);
+            let all = |near| count(&square, near, Casting::All).map(|count| count.of_casting);
+            // The fold between the two triangles is on the way, too.
+            assert_eq!(all(DVec3::new(0.3, 1.0, 0.3)), Some(1));
+            assert_eq!(all(DVec3::new(7.2, 1.0, 0.0)), None);
+            assert_eq!(all(DVec3::new(40.0, 1.0, 0.0)), Some(0));
+            assert_eq!(all(DVec3::new(0.3, 7.0, 0.3)), Some(0), "above it");
+            assert_eq!(all(DVec3::new(0.3, 5.0, 0.3)), None, "cut by it");
+        }
+    }
+
+    #[test]
+    fn sides_are_told_apart_and_sheets_add_up() {
+        let near = DVec3::new(0.3, 1.0, 0.3);
+        let sheets = [square(5.0, true), square(6.0, false), square(7.0, false)].concat();
+        let of = |casting| count(&sheets, near, casting);
+        let expected = |of_casting| {
+            Some(NearCount {
+                of_casting,
+                of_windings: -1,
+            })
+        };
+        assert_eq!(of(Casting::All), expected(3));
+        assert_eq!(of(Casting::EachSide), expected(1));
+        assert_eq!(of(Casting::LightFacing), expected(1));
     }
 }

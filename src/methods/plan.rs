@@ -1,10 +1,10 @@
 //! How the volume of each object is drawn in a frame: no more of it than its topology, the view and the light ask for.
 
 use super::PrepareContext;
-use super::volume_parameters::{Casting, Counting, Culling, Reach, VolumeParameters};
+use super::volume_parameters::{Counting, Culling, Reach, VolumeParameters};
 use crate::frame::{DrawnVolumes, FrameView};
 use crate::geometry::{
-    Bounds, Casts, Determinism, EdgeTriangles, EndPlane, NearCount, NearCounts, NearRay,
+    Bounds, Casting, Determinism, EdgeTriangles, EndPlane, NearCount, NearCounts, NearRay,
     NearVolume, OpenEdges, Topology,
 };
 use crate::scene::Mesh;
@@ -74,10 +74,17 @@ pub(super) struct Planner {
     parameters: VolumeParameters,
     casting: Casting,
     determinism: Determinism,
-    mesh: Arc<Mesh>,
-    topology: Option<Rc<Topology>>,
+    /// Where not all triangles may cast.
     sides: Option<Sides>,
-    near: Option<NearCounts>,
+    /// Where volumes around the near rectangle are counted.
+    near: Option<Near>,
+}
+
+/// What counts the volumes around the near rectangle.
+struct Near {
+    counts: NearCounts,
+    mesh: Arc<Mesh>,
+    topology: Rc<Topology>,
 }
 
 /// What is known of the two sides of surfaces.
@@ -96,23 +103,25 @@ impl Planner {
         casting: Casting,
         determinism: Determinism,
     ) -> Self {
-        let mesh = Arc::clone(&context.scene.mesh);
-        let counts = parameters.counting == Counting::ZPassCounted;
-        let knows_sides = casting != Casting::All;
+        let mesh = &context.scene.mesh;
+        let sides = || Sides {
+            closed: context
+                .edge_triangles()
+                .closed_casters(mesh, context.topology()),
+            triangles: Rc::clone(context.edge_triangles()),
+            open_edges: Rc::clone(context.open_edges()),
+        };
+        let near = || Near {
+            counts: NearCounts::build(mesh, context.topology()),
+            mesh: Arc::clone(mesh),
+            topology: Rc::clone(context.topology()),
+        };
         Self {
             parameters,
             casting,
             determinism,
-            topology: (counts || knows_sides).then(|| Rc::clone(context.topology())),
-            sides: knows_sides.then(|| Sides {
-                closed: context
-                    .edge_triangles()
-                    .closed_casters(&mesh, context.topology()),
-                triangles: Rc::clone(context.edge_triangles()),
-                open_edges: Rc::clone(context.open_edges()),
-            }),
-            near: counts.then(|| NearCounts::build(&mesh, context.topology())),
-            mesh,
+            sides: (casting != Casting::All).then(sides),
+            near: (parameters.counting == Counting::ZPassCounted).then(near),
         }
     }
 
@@ -121,8 +130,15 @@ impl Planner {
         let near = (view.near_volume(), view.near_rectangle());
         let mut all = FramePlan::default();
         let mut of_rest = None;
+        let culls = self.parameters.culling == Culling::Frustum;
         for (number, &bounds) in casters.iter().enumerate() {
-            let (casting, count) = self.casting(number, bounds, &near, view);
+            let is_drawn = !culls || view.may_see_shadow_of(bounds);
+            // A volume out of view is not around the near rectangle either.
+            let (casting, count) = if is_drawn {
+                self.casting(number, bounds, &near, view)
+            } else {
+                (Casting::All, None)
+            };
             let NearCount {
                 of_casting,
                 of_windings,
@@ -132,9 +148,8 @@ impl Planner {
             if casting == Casting::EachSide {
                 *of_rest.get_or_insert(0) -= of_windings;
             }
-            let culls = self.parameters.culling == Culling::Frustum;
             all.casters.push(CasterPlan {
-                is_drawn: !culls || view.may_see_shadow_of(bounds),
+                is_drawn,
                 z_pass: count.is_some(),
                 casting,
                 end: match self.parameters.reach {
@@ -201,17 +216,13 @@ impl Planner {
                 let ray = NearRay {
                     volume: near_volume,
                     light: view.light.place,
-                    casts: match casting {
-                        Casting::All => Casts::All,
-                        Casting::LightFacing => Casts::LightFacing,
-                        Casting::EachSide => Casts::EachSide,
-                    },
+                    casting,
                     determinism: self.determinism,
                 };
-                let topology = self.topology.as_deref()?;
+                let near = self.near.as_ref()?;
                 let triangles = self.sides.as_ref().map(|sides| &*sides.triangles);
-                let of = (&*self.mesh, topology, triangles);
-                self.near.as_ref()?.count(of, caster, &ray)
+                let of = (&*near.mesh, &*near.topology, triangles);
+                near.counts.count(of, caster, &ray)
             }
         }
     }

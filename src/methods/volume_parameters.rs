@@ -2,7 +2,7 @@
 
 use super::MethodError;
 use crate::frame::{DepthFormat, DepthSetup};
-use crate::geometry::Determinism;
+use crate::geometry::{Casting, Determinism};
 use crate::gpu::DepthDirection;
 use crate::gpu::native::Raster;
 use crate::parameters;
@@ -61,19 +61,6 @@ pub(super) enum Culling {
     None,
     /// Those that cannot meet the view frustum.
     Frustum,
-}
-
-/// Which triangles cast.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub(super) enum Casting {
-    /// Those that face the light, of objects that are closed and have eye and light outside; else all.
-    LightFacing,
-    /// Of other objects too, where that draws less: first those that face the light, then the rest by their open edges
-    /// (see [`crate::geometry::open_edges`]).
-    EachSide,
-    /// All.
-    All,
 }
 
 /// Who decides what of the volumes is drawn.
@@ -218,5 +205,30 @@ impl VolumeParameters {
             FrontCap::Far => Raster::CountAll,
             FrontCap::InPlace => Raster::CountDepthFails,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_plan_decides_alone() {
+        let auto = StageVolumeParameters {
+            volume: VolumeParameters {
+                plan: Plan::Auto,
+                ..VolumeParameters::default()
+            },
+            ..StageVolumeParameters::default()
+        };
+        let planned = auto.planned().unwrap();
+        assert_eq!(planned.counting, Counting::ZPassCounted);
+        assert_eq!(planned.casting, Casting::EachSide);
+        let mut both = auto;
+        both.volume.counting = Counting::ZPass;
+        let error = both.planned().unwrap_err().to_string();
+        assert!(error.contains("plan=auto decides `counting`"), "{error}");
+        both.volume.plan = Plan::AsSet;
+        assert_eq!(both.planned().unwrap().counting, Counting::ZPass);
     }
 }

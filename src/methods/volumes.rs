@@ -6,11 +6,12 @@
 
 use super::plan::{CasterPlan, FramePlan, Planner};
 use super::side_quad::DirectedEdge;
-use super::volume_parameters::{Casting, Counting, StageVolumeParameters, VolumeParameters};
+use super::volume_parameters::{Counting, StageVolumeParameters, VolumeParameters};
 use super::{MethodError, PrepareContext};
 use crate::frame::{
     DrawnVolumes, Frame, PreparedMethod, RESOLVE_STAGE, SceneBuffers, StencilResolve,
 };
+use crate::geometry::Casting;
 use crate::geometry::silhouette::SilhouetteEdge;
 use crate::gpu::Capability;
 use crate::gpu::native::{

@@ -19,8 +19,6 @@ pub(super) struct EdgeRecords {
     pub(super) opposites: Vec<u32>,
     /// The records of each object that casts, in drawing order.
     pub(super) objects: Vec<Range<u32>>,
-    /// The records of each edge of the topology.
-    pub(super) of_edges: Vec<Range<u32>>,
     /// The edges that were split, as they were.
     split: Vec<Edge>,
     limit: u32,
@@ -48,28 +46,46 @@ impl EdgeRecords {
                 None => topology.opposites.clone(),
             },
             objects: Vec::with_capacity(topology.object_edges.len()),
-            of_edges: vec![0..0; topology.edges.len()],
             limit,
         };
         let casters = mesh.objects.iter().zip(&topology.object_edges);
         for (_, range) in casters.filter(|(object, _)| object.casts_shadow) {
             let start = records.edges.len() as u32;
-            for number in range.start as usize..range.end as usize {
-                let edge = topology.edges[number];
+            for &edge in &topology.edges[range.start as usize..range.end as usize] {
                 let triangles = triangles.map(|triangles| triangles.of(edge));
                 let edge = records.taken(mesh, topology, edge, triangles);
-                let first = records.edges.len() as u32;
                 if edge.opposite_count <= limit {
                     records.edges.push(edge);
                 } else {
                     records.edges.extend(parts(edge, limit));
                     records.split.push(edge);
                 }
-                records.of_edges[number] = first..records.edges.len() as u32;
             }
             records.objects.push(start..records.edges.len() as u32);
         }
         records
+    }
+
+    /// The records of each edge of the topology, given the edges of each object that casts, in drawing order.
+    pub(super) fn of_edges(&self, topology: &Topology, casters: &[Range<u32>]) -> Vec<Range<u32>> {
+        let mut of_edges = vec![0..0; topology.edges.len()];
+        for (edges, records) in casters.iter().zip(&self.objects) {
+            let mut first = records.start;
+            let numbers = edges.start as usize..edges.end as usize;
+            for (edge, found) in topology.edges[numbers.clone()]
+                .iter()
+                .zip(&mut of_edges[numbers])
+            {
+                // Parts of an edge, and nothing else in an object, have the same ends.
+                let own = self.edges[first as usize..records.end as usize].iter();
+                let ends = |edge: &Edge| (edge.a.min(edge.b), edge.a.max(edge.b));
+                let parts = own.take_while(|record| ends(record) == ends(edge));
+                let next = first + parts.count() as u32;
+                *found = first..next;
+                first = next;
+            }
+        }
+        of_edges
     }
 
     /// An edge with its ends in the vertex order, and its opposite vertices in the order in which [`parts`] take them.

@@ -6,13 +6,13 @@
 mod edges;
 mod near_silhouette;
 
-use super::volume_parameters::{Casting, Plan, StageVolumeParameters, refuse_both};
+use super::volume_parameters::{Plan, StageVolumeParameters, refuse_both};
 use super::volumes::{self, Draws, Faces, StencilVolumes};
 use super::{MethodError, MethodInfo, PrepareContext, ShadowMethod};
 use crate::frame::DepthSetup;
 use crate::frame::PreparedMethod;
 use crate::frame::SceneBuffers;
-use crate::geometry::EdgeTriangles;
+use crate::geometry::{Casting, EdgeTriangles};
 use crate::gpu::native::{PrimitiveTopology, Raster, VertexInput};
 use crate::gpu::shader::{self, Spirv};
 use crate::parameters;
@@ -162,7 +162,7 @@ struct Sides<'a, S> {
 }
 
 impl<S: SideStage> Sides<'_, S> {
-    fn by_number(mut self) -> Result<(Faces, Vec<wgpu::Buffer>), MethodError> {
+    fn by_number(self) -> Result<(Faces, Vec<wgpu::Buffer>), MethodError> {
         let buffer = |label, contents: &[u8]| {
             let usage = wgpu::BufferUsages::STORAGE;
             self.context.gpu.buffer(label, contents, usage)
@@ -200,7 +200,7 @@ impl<S: SideStage> Sides<'_, S> {
     }
 
     /// Gives also how many vertices a patch has.
-    fn by_patch(mut self) -> Result<(Faces, u32), MethodError> {
+    fn by_patch(self) -> Result<(Faces, u32), MethodError> {
         let (topology, opposites) = S::patch(self.edges.most_opposites());
         let gpu = self.context.gpu;
         let most_bytes = gpu.device.limits().max_buffer_size;
@@ -233,10 +233,10 @@ impl<S: SideStage> Sides<'_, S> {
         Ok((faces, vertices_per_patch))
     }
 
-    fn chosen(&mut self, elements: Elements) -> Result<(wgpu::Buffer, Draws), MethodError> {
+    fn chosen(&self, elements: Elements) -> Result<(wgpu::Buffer, Draws), MethodError> {
         let PrepareContext { gpu, scene, .. } = self.context;
         let of = (&*scene.mesh, &**self.context.topology(), self.triangles);
-        let chosen = NearSilhouette::new(gpu, of, &mut self.edges, elements)?;
+        let chosen = NearSilhouette::new(gpu, of, &self.edges, elements)?;
         let buffer = chosen.buffer().clone();
         Ok((buffer, Draws::Chosen(Box::new(chosen))))
     }

@@ -48,7 +48,7 @@ impl NearSilhouette {
     pub(super) fn new(
         gpu: &Gpu,
         (mesh, topology, triangles): (&Mesh, &Topology, Option<&EdgeTriangles>),
-        records: &mut EdgeRecords,
+        records: &EdgeRecords,
         elements: Elements,
     ) -> Result<Self, DeviceError> {
         let per_record = match elements {
@@ -69,7 +69,7 @@ impl NearSilhouette {
             irregular,
             tree: PlaneTree::build(mesh, topology),
             elements,
-            records: std::mem::take(&mut records.of_edges),
+            records: records.of_edges(topology, &objects),
             objects,
             marked: vec![0; topology.edges.len().div_ceil(64)],
             chosen: Vec::new(),

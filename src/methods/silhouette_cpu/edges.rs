@@ -1,7 +1,8 @@
 //! What is known of silhouette edges before there is a light.
 
 use crate::geometry::open_edges::is_irregular;
-use crate::geometry::{EdgeTriangles, Topology, facing, vertex_less};
+use crate::geometry::silhouette::SilhouetteEdge;
+use crate::geometry::{EdgeTriangles, Topology, facing};
 use crate::methods::side_quad::DirectedEdge;
 use crate::scene::Mesh;
 use glam::Vec4;
@@ -35,14 +36,17 @@ impl CasterEdges {
             .flat_map(|(caster, edges)| edges.clone().map(move |_| caster));
         let is_irregular = |edge: &u32| is_irregular(triangles.of(topology.edges[*edge as usize]));
         let irregular = of_casters.map(|edges| edges.clone().filter(is_irregular).collect());
-        let at = |vertex: u32| mesh.positions[vertex as usize];
-        let ends = (0..).zip(&topology.edges).map(|(number, edge)| {
-            let flag = if is_irregular(&number) { IRREGULAR } else { 0 };
-            if vertex_less(at(edge.b), at(edge.a)) {
-                [edge.b | SWAPPED, edge.a | flag]
+        let ends = (0..topology.edges.len() as u32).map(|edge| {
+            let multiplicity = 1;
+            let found = SilhouetteEdge { edge, multiplicity };
+            let directed = DirectedEdge::new(mesh, topology, found);
+            let swapped = if directed.multiplicity < 0 {
+                SWAPPED
             } else {
-                [edge.a, edge.b | flag]
-            }
+                0
+            };
+            let irregular = if is_irregular(&edge) { IRREGULAR } else { 0 };
+            [directed.a | swapped, directed.b | irregular]
         });
         Self {
             ends: ends.collect(),

@@ -3,9 +3,10 @@
 //! Every face is counter-clockwise seen from outside of its volume.
 
 use super::plan::{CappedPlan, Capping, Caps};
+use crate::geometry::Casting;
 use crate::methods::portable_volumes::{far, near};
 use crate::methods::side_quad::DirectedEdge;
-use crate::methods::volume_parameters::{Casting, FrontCap};
+use crate::methods::volume_parameters::FrontCap;
 
 /// The corners of all faces, three a triangle, by how they are counted.
 #[derive(Default)]

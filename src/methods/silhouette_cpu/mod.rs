@@ -8,12 +8,12 @@ mod plan;
 
 use super::plan::Planner;
 use super::portable_volumes::{Corners, PortableVolumes};
-use super::volume_parameters::{CASTING_WORDS, Casting, Plan, VolumeParameters, refuse_both};
+use super::volume_parameters::{CASTING_WORDS, Plan, VolumeParameters, refuse_both};
 use super::volumes::{CHOOSE_STAGE, OPEN_EDGES_STAGE, RESOLVE_REST_STAGE, STENCIL, VOLUMES_STAGE};
 use super::{MethodError, MethodInfo, PrepareContext, ShadowMethod, volume_limits};
 use crate::frame::{DepthSetup, DrawnVolumes, Frame, PreparedMethod, RESOLVE_STAGE};
 use crate::geometry::silhouette::{Facings, HEXTREE_DEPTH, SilhouetteEdge};
-use crate::geometry::{Determinism, OpenEdges, Topology};
+use crate::geometry::{Casting, Determinism, OpenEdges, Topology};
 use crate::gpu::{Gpu, Stage};
 use crate::parameters;
 use crate::scene::Mesh;
