@@ -5,10 +5,11 @@ use glam::Vec4;
 use rayon::prelude::*;
 use std::hint::black_box;
 use std::time::{Duration, Instant};
-use svbench::geometry::Topology;
+use svbench::geometry::occluded::left_out;
 use svbench::geometry::silhouette::{
     BruteForce, HEXTREE_DEPTH, Hextree, PlaneTree, SilhouetteEdge,
 };
+use svbench::geometry::{EdgeTriangles, Topology};
 use svbench::scene::sphere_grid::SphereGrid;
 
 const LIGHT: Vec4 = Vec4::new(8.0, 45.0, 12.0, 1.0);
@@ -44,6 +45,28 @@ fn extraction(criterion: &mut Criterion) {
         });
         group.bench_function(named("hextree, built"), |bencher| {
             bencher.iter(|| Hextree::build(black_box(&mesh), &topology, HEXTREE_DEPTH));
+        });
+    }
+    group.finish();
+}
+
+/// What of a scene a light that stands still does not reach, found when a method is made ready.
+fn occluded_casters(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("occluded casters");
+    group.sample_size(10);
+    for slices in [18, 104] {
+        let grid = SphereGrid {
+            rows: 10,
+            columns: 10,
+            slices,
+        };
+        let Ok(mesh) = grid.mesh() else { continue };
+        let topology = Topology::build(&mesh);
+        let triangles = EdgeTriangles::build(&mesh, &topology);
+        let are_closed = triangles.closed_casters(&mesh, &topology);
+        group.bench_function(BenchmarkId::new("found", mesh.triangles.len()), |bencher| {
+            let of = (&mesh, &topology, &triangles);
+            bencher.iter(|| left_out(black_box(LIGHT), of, &are_closed));
         });
     }
     group.finish();
@@ -103,5 +126,5 @@ fn in_frames(frames: u64, mut extract: impl FnMut(Vec4, &mut Vec<SilhouetteEdge>
     (0..frames).map(frame).sum()
 }
 
-criterion_group!(benches, extraction, extraction_in_a_frame);
+criterion_group!(benches, extraction, occluded_casters, extraction_in_a_frame);
 criterion_main!(benches);

@@ -6,13 +6,14 @@ mod text;
 pub use overdraw::Overdraw;
 
 use crate::frame::{DepthSetup, DrawnVolumes, GBUFFER_STAGE, SHADE_STAGE, SceneExtents};
-use crate::geometry::{EdgeCounts, EdgeTriangles, OpenEdges, Topology};
+use crate::geometry::EdgeCounts;
 use crate::gpu::{FrameTimer, Gpu};
 use crate::judge::{DeviceScene, NoPicture, ReadyMethod, Verifier};
-use crate::methods::Registry;
+use crate::methods::{Casters, Registry};
 use crate::reference::ReferenceCache;
-use crate::scene::Scene;
+use crate::scene::{Light, Scene};
 use overdraw::SideQuads;
+use std::rc::Rc;
 
 /// What is drawn without a plan, and held against all others.
 pub const FULL: &str = "silhouette_gs";
@@ -55,6 +56,8 @@ pub struct Shape {
     pub closed_objects: usize,
     /// Their triangles.
     pub closed_triangles: usize,
+    /// Triangles that the plan leaves out, where the light stands still: others occlude them.
+    pub left_out: Option<usize>,
     /// Edges by the number of their triangles.
     pub edges: EdgeCounts,
     /// Edges at which windings do not cancel.
@@ -160,7 +163,7 @@ pub fn advise(request: &Request<'_>) -> anyhow::Result<Advice> {
     verify(request, &device, &mut candidates, verified)?;
     Ok(Advice {
         scene: scene.title.clone(),
-        shape: shape(scene, &times_s, size_px),
+        shape: shape(scene, device.casters(), &times_s, size_px),
         frames: times_s.len(),
         verified,
         size_px,
@@ -232,18 +235,23 @@ fn verify(
     Ok(())
 }
 
-fn shape(scene: &Scene, times_s: &[f64], size_px: (u32, u32)) -> Shape {
-    let mesh = &scene.mesh;
-    let topology = Topology::build(mesh);
-    let triangles = EdgeTriangles::build(mesh, &topology);
-    let open = OpenEdges::new(mesh, &topology, &triangles);
-    let closed = triangles.closed_casters(mesh, &topology);
-    let closed_sizes = mesh.casters().zip(&closed).filter(|(_, closed)| **closed);
+fn shape(scene: &Scene, casters: &Rc<Casters>, times_s: &[f64], size_px: (u32, u32)) -> Shape {
+    let mesh = &casters.mesh;
+    let (topology, open, closed) = (
+        casters.topology(),
+        casters.open_edges(),
+        casters.are_closed(),
+    );
+    let left_out = |light: Light| {
+        let left = casters.unoccluded(light.place);
+        mesh.triangles.len() - left.mesh.triangles.len()
+    };
+    let closed_sizes = mesh.casters().zip(&**closed).filter(|(_, closed)| **closed);
     let closed_sizes: Vec<_> = closed_sizes
         .map(|(object, _)| object.triangles.len())
         .collect();
     let extents = SceneExtents::new(mesh);
-    let mut quads = SideQuads::new(mesh, &topology, &extents);
+    let mut quads = SideQuads::new(mesh, topology, &extents);
     let mut overdraw = Overdraw::default();
     let share = 1.0 / times_s.len() as f64;
     for &time_s in times_s {
@@ -257,6 +265,7 @@ fn shape(scene: &Scene, times_s: &[f64], size_px: (u32, u32)) -> Shape {
         objects: mesh.caster_object_count(),
         closed_objects: closed_sizes.len(),
         closed_triangles: closed_sizes.iter().sum(),
+        left_out: scene.flight.light.standing_still().map(left_out),
         edges: topology.counts(),
         open_edges: (0..closed.len()).map(|caster| open.of(caster).len()).sum(),
         overdraw,

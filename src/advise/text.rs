@@ -48,6 +48,7 @@ impl Shape {
             objects,
             closed_objects,
             closed_triangles,
+            left_out,
             edges,
             open_edges,
             overdraw,
@@ -60,6 +61,14 @@ impl Shape {
             f,
             "    closed: {closed_objects} objects, {closed:.0} % of the triangles"
         )?;
+        match left_out {
+            Some(left_out) => writeln!(
+                f,
+                "    occluded: the plan leaves out {left_out} triangles ({:.0} %) that the light never reaches",
+                percent(*left_out, *triangles)
+            )?,
+            None => writeln!(f, "    occluded: not asked, since the light moves")?,
+        }
         writeln!(
             f,
             "    edges: {} of one triangle, {} of two, {} of more; {:.1} % are open",
@@ -221,6 +230,13 @@ impl Advice {
                 percent(drawn.all)
             ));
         }
+        let left_out = self.shape.left_out.unwrap_or(0) as f64 / self.shape.triangles.max(1) as f64;
+        if left_out > 0.1 {
+            reasons.push(format!(
+                "{:.0} % of the triangles are behind others, seen from the light, and need not cast",
+                100.0 * left_out
+            ));
+        }
         let Overdraw { scene, object, .. } = self.shape.overdraw;
         if object > 0.0 && scene / object > WORTH_A_WORD {
             reasons.push(format!(
@@ -264,6 +280,7 @@ mod tests {
                 triangles: 100,
                 objects: 2,
                 closed_objects: 2,
+                left_out: Some(7),
                 closed_triangles: 100,
                 edges: EdgeCounts {
                     boundary: 0,

@@ -2,18 +2,23 @@
 //! to reach.
 
 pub mod bounds;
+pub mod box_tree;
 pub mod casting;
+pub mod disjoint_sets;
 pub mod edge_triangles;
 pub mod end_plane;
 pub mod facing;
 pub mod near_count;
 pub mod near_volume;
+pub mod occluded;
 pub mod open_edges;
+mod ray;
 pub mod silhouette;
 pub mod topology;
 
 pub use bounds::Bounds;
 pub use casting::Casting;
+pub use disjoint_sets::DisjointSets;
 pub use edge_triangles::{EdgeTriangle, EdgeTriangles};
 pub use end_plane::{EndPlane, EndPlanes};
 pub use facing::{Determinism, facing, vertex_less};

@@ -7,9 +7,10 @@
 //! is one point; Everitt and Kilgard 2002, section 5.4, ask for the whole near rectangle when the number is 0.)
 
 use super::open_edges::winding;
+use super::ray::Ray;
 use super::{Bounds, Casting, Determinism, Edge, EdgeTriangles, NearVolume, Topology};
 use crate::scene::Mesh;
-use glam::{DVec3, Vec4};
+use glam::Vec4;
 use rayon::prelude::*;
 use std::ops::Range;
 
@@ -35,9 +36,6 @@ const STARTS: [[f64; 2]; 6] = [
     [0.847, 0.789],
     [0.139, 0.911],
 ];
-
-/// A ray this near to an edge, as a part of the distances involved, does not decide on which side of it it is.
-const DOUBT: f64 = 1e-9;
 
 /// Boxes around edges and triangles, by which the few near a ray are found.
 pub struct NearCounts {
@@ -186,59 +184,11 @@ impl NearRay<'_> {
     }
 }
 
-/// From a point towards the light.
-struct Ray {
-    from: DVec3,
-    towards: DVec3,
-    /// Whether it ends there.
-    ends: bool,
-}
-
-impl Ray {
-    /// 0 if the triangle is not on the way to the light, 1 if it is and looks counter-clockwise from the light, -1 if it
-    /// looks clockwise; `None` where that is too near to tell.
-    fn pierces(&self, corners: [DVec3; 3]) -> Option<i32> {
-        let [a, b, c] = corners.map(|corner| corner - self.from);
-        let length = self.towards.length();
-        let mut sides = [0; 3];
-        for (side, (p, q)) in sides.iter_mut().zip([(a, b), (b, c), (c, a)]) {
-            let distance = self.towards.dot(p.cross(q));
-            *side = sign(distance, DOUBT * length * p.length() * q.length());
-        }
-        if sides.contains(&1) && sides.contains(&-1) {
-            return Some(0);
-        }
-        if sides.contains(&0) {
-            return None;
-        }
-        let normal = (b - a).cross(c - a);
-        let (along, ahead) = (normal.dot(self.towards), normal.dot(a));
-        // The plane is met at this part of the way.
-        let at = ahead / along;
-        let doubt = DOUBT * normal.length() * (length + a.length()) / along.abs();
-        if at.is_nan() || at.abs() <= doubt || self.ends && (at - 1.0).abs() <= doubt {
-            return None;
-        }
-        let is_before = at > 0.0 && !(self.ends && at > 1.0);
-        Some(if is_before { sides[0] } else { 0 })
-    }
-}
-
-fn sign(x: f64, doubt: f64) -> i32 {
-    if x > doubt {
-        1
-    } else if x < -doubt {
-        -1
-    } else {
-        0
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::scene::Part;
-    use glam::Vec3;
+    use glam::{DVec3, Vec3};
 
     /// The count of an object of these triangles for a near rectangle of 0.2 × 0.2 around a point, under a lamp at
     /// height 10 above the origin.

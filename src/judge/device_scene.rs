@@ -2,22 +2,21 @@
 
 use super::NoPicture;
 use crate::frame::{DepthSetup, FrameResources, PreparedMethod};
-use crate::geometry::Topology;
 use crate::gpu::{DeviceError, Gpu};
-use crate::methods::{self, Derived, PrepareContext, ShadowMethod};
+use crate::methods::{self, Casters, PrepareContext, ShadowMethod};
 use crate::scene::{Moment, Scene};
 use std::cell::RefCell;
 use std::rc::Rc;
 
-/// A scene on a device at one size: frame resources for each depth buffer that methods ask for, and what they
-/// derive from the mesh.
+/// A scene on a device at one size: frame resources for each depth buffer that methods ask for, and its
+/// casters.
 pub struct DeviceScene<'a> {
     /// The device.
     pub gpu: Gpu,
     /// The scene as data.
     pub scene: &'a Scene,
     resources: RefCell<Vec<Rc<FrameResources>>>,
-    derived: Rc<Derived>,
+    casters: Rc<Casters>,
 }
 
 /// A method that can draw frames of a scene.
@@ -43,7 +42,7 @@ impl<'a> DeviceScene<'a> {
             gpu: gpu.clone(),
             scene,
             resources: RefCell::new(vec![Rc::new(usual)]),
-            derived: Rc::default(),
+            casters: Rc::new(Casters::of(scene)),
         })
     }
 
@@ -71,7 +70,7 @@ impl<'a> DeviceScene<'a> {
         let check = method.info().check(&self.gpu);
         check.map_err(NoPicture::Unavailable)?;
         let resources = self.resources(method.depth_setup())?;
-        let context = PrepareContext::sharing(&self.gpu, self.scene, &resources, &self.derived);
+        let context = PrepareContext::sharing(&self.gpu, self.scene, &resources, &self.casters);
         let prepared = methods::prepare(method, &context).map_err(anyhow::Error::from)?;
         Ok(ReadyMethod {
             method: prepared,
@@ -79,9 +78,9 @@ impl<'a> DeviceScene<'a> {
         })
     }
 
-    /// The scene's topology, if a method has asked for it.
-    pub fn topology_if_built(&self) -> Option<&Topology> {
-        self.derived.topology()
+    /// What casts the scene's shadows.
+    pub fn casters(&self) -> &Rc<Casters> {
+        &self.casters
     }
 }
 

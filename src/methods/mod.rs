@@ -4,6 +4,7 @@
 //! A [`ShadowMethod`] is a method with its parameters, as a configuration names it; a
 //! [`PreparedMethod`] is that method made ready for one scene on one device.
 
+mod casters;
 mod cube_shadow_map;
 mod declare;
 mod depth_map;
@@ -27,6 +28,7 @@ mod volume_limits;
 mod volume_parameters;
 mod volumes;
 
+pub use casters::Casters;
 pub use domain::Domain;
 pub use limit::{Bound, Limit};
 pub use parameters::{
@@ -35,13 +37,12 @@ pub use parameters::{
 pub use registry::{Registration, Registry};
 
 use crate::frame::{DepthSetup, FrameResources, PreparedMethod};
-use crate::geometry::{EdgeTriangles, OpenEdges, Topology};
 use crate::gpu::{Capability, DeviceError, Gpu};
 use crate::scene::Scene;
 use crate::variant::Variant;
 use serde::Serialize;
-use std::cell::OnceCell;
 use std::rc::Rc;
+use std::sync::Arc;
 
 /// What a method is, needs and cannot do; printed by `svbench list methods`.
 #[derive(Debug, Clone, Serialize)]
@@ -109,8 +110,8 @@ pub fn prepare(
     context.gpu.attempt(|| method.prepare(context))
 }
 
-/// What a method is prepared with: the scene, the shared stages, and what is derived from the mesh
-/// once somebody asks for it.
+/// What a method is prepared with: the scene, the shared stages, and what casts.
+#[derive(Clone)]
 pub struct PrepareContext<'a> {
     /// The device.
     pub gpu: &'a Gpu,
@@ -118,68 +119,65 @@ pub struct PrepareContext<'a> {
     pub scene: &'a Scene,
     /// The scene on the device, targets and view.
     pub resources: &'a FrameResources,
-    derived: Rc<Derived>,
-}
-
-/// What methods derive from a mesh, once one of them asks for it.
-#[derive(Default)]
-pub struct Derived {
-    topology: OnceCell<Rc<Topology>>,
-    edge_triangles: OnceCell<Rc<EdgeTriangles>>,
-    open_edges: OnceCell<Rc<OpenEdges>>,
-}
-
-impl Derived {
-    /// The topology, if a method has asked for it.
-    pub fn topology(&self) -> Option<&Topology> {
-        self.topology.get().map(|topology| &**topology)
-    }
+    /// What casts its shadows.
+    pub casters: Rc<Casters>,
 }
 
 impl<'a> PrepareContext<'a> {
     /// For the methods of one scene.
     pub fn new(gpu: &'a Gpu, scene: &'a Scene, resources: &'a FrameResources) -> Self {
-        Self {
-            gpu,
-            scene,
-            resources,
-            derived: Rc::default(),
-        }
+        Self::sharing(gpu, scene, resources, &Rc::new(Casters::of(scene)))
     }
 
-    /// For the methods of one scene; what they derive from it somebody else keeps.
+    /// For the methods of one scene; what they derive from its casters somebody else keeps.
     pub fn sharing(
         gpu: &'a Gpu,
         scene: &'a Scene,
         resources: &'a FrameResources,
-        derived: &Rc<Derived>,
+        casters: &Rc<Casters>,
     ) -> Self {
         Self {
             gpu,
             scene,
             resources,
-            derived: Rc::clone(derived),
+            casters: Rc::clone(casters),
         }
     }
 
-    /// Edges with their opposite vertices; built when the first method asks.
-    pub fn topology(&self) -> &Rc<Topology> {
-        self.derived
-            .topology
-            .get_or_init(|| Rc::new(Topology::build(&self.scene.mesh)))
+    /// For a method that needs no more of the casters than those that may be lit in part.
+    ///
+    /// # Errors
+    /// When the light does not stand still.
+    fn without_occluded(&self) -> Result<Self, MethodError> {
+        let light = self.scene.flight.light.standing_still();
+        let light = light.ok_or_else(light_moves)?;
+        let Self {
+            gpu,
+            scene,
+            resources,
+            ..
+        } = *self;
+        let casters = self.casters.unoccluded(light.place);
+        Ok(Self::sharing(gpu, scene, resources, &casters))
     }
 
-    /// The triangles of these edges; found when the first method asks.
-    pub fn edge_triangles(&self) -> &Rc<EdgeTriangles> {
-        let find = || EdgeTriangles::build(&self.scene.mesh, self.topology());
-        self.derived.edge_triangles.get_or_init(|| Rc::new(find()))
+    /// The corners of the triangles that cast, on the device.
+    fn indices(&self) -> Result<wgpu::Buffer, DeviceError> {
+        if Arc::ptr_eq(&self.casters.mesh, &self.scene.mesh) {
+            return Ok(self.resources.scene.indices.clone());
+        }
+        let mut corners = self.casters.mesh.triangles.clone();
+        // A buffer cannot be empty.
+        corners.resize(corners.len().max(1), [0; 3]);
+        let usage = wgpu::BufferUsages::INDEX | wgpu::BufferUsages::STORAGE;
+        let contents = bytemuck::cast_slice(&corners);
+        self.gpu.buffer("the triangles that cast", contents, usage)
     }
+}
 
-    /// The edges where surfaces end; found when the first method asks.
-    pub fn open_edges(&self) -> &Rc<OpenEdges> {
-        let find = || OpenEdges::new(&self.scene.mesh, self.topology(), self.edge_triangles());
-        self.derived.open_edges.get_or_init(|| Rc::new(find()))
-    }
+fn light_moves() -> MethodError {
+    let advice = "occluded=left_out needs a light that stands still, and this scene's moves: set occluded=cast";
+    MethodError::Unavailable(advice.to_owned())
 }
 
 /// Gives the same method with a slope bias in texels.

@@ -1,15 +1,13 @@
 //! How the volume of each object is drawn in a frame: no more of it than its topology, the view and the light ask for.
 
-use super::PrepareContext;
 use super::volume_parameters::{Counting, Culling, Reach, VolumeParameters};
+use super::{Casters, PrepareContext};
 use crate::frame::{DrawnVolumes, FrameView};
 use crate::geometry::{
     Bounds, Casting, Determinism, EdgeTriangles, EndPlane, NearCount, NearCounts, NearRay,
     NearVolume, OpenEdges, Topology,
 };
-use crate::scene::Mesh;
 use std::rc::Rc;
-use std::sync::Arc;
 
 /// How the volume of one caster is drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -71,6 +69,7 @@ const MOST_OPEN: f64 = 0.3;
 
 /// Makes plans.
 pub(super) struct Planner {
+    casters: Rc<Casters>,
     parameters: VolumeParameters,
     casting: Casting,
     determinism: Determinism,
@@ -83,7 +82,6 @@ pub(super) struct Planner {
 /// What counts the volumes around the near rectangle.
 struct Near {
     counts: NearCounts,
-    mesh: Arc<Mesh>,
     topology: Rc<Topology>,
 }
 
@@ -91,7 +89,7 @@ struct Near {
 struct Sides {
     triangles: Rc<EdgeTriangles>,
     /// For each caster whether it is closed and wound consistently.
-    closed: Vec<bool>,
+    closed: Rc<[bool]>,
     open_edges: Rc<OpenEdges>,
 }
 
@@ -103,20 +101,19 @@ impl Planner {
         casting: Casting,
         determinism: Determinism,
     ) -> Self {
-        let mesh = &context.scene.mesh;
+        let casters = &context.casters;
+        let mesh = &casters.mesh;
         let sides = || Sides {
-            closed: context
-                .edge_triangles()
-                .closed_casters(mesh, context.topology()),
-            triangles: Rc::clone(context.edge_triangles()),
-            open_edges: Rc::clone(context.open_edges()),
+            closed: Rc::clone(casters.are_closed()),
+            triangles: Rc::clone(casters.edge_triangles()),
+            open_edges: Rc::clone(casters.open_edges()),
         };
         let near = || Near {
-            counts: NearCounts::build(mesh, context.topology()),
-            mesh: Arc::clone(mesh),
-            topology: Rc::clone(context.topology()),
+            counts: NearCounts::build(mesh, casters.topology()),
+            topology: Rc::clone(casters.topology()),
         };
         Self {
+            casters: Rc::clone(casters),
             parameters,
             casting,
             determinism,
@@ -126,7 +123,14 @@ impl Planner {
     }
 
     /// The plan of a frame, given the boxes around the casters.
+    ///
+    /// # Panics
+    /// If triangles were left out for another light.
     pub(super) fn plan(&self, view: &FrameView, casters: &[Bounds]) -> FramePlan {
+        assert!(
+            self.casters.are_for(view.light.place),
+            "triangles were left out for a light that stands still"
+        );
         let near = (view.near_volume(), view.near_rectangle());
         let mut all = FramePlan::default();
         let mut of_rest = None;
@@ -221,7 +225,7 @@ impl Planner {
                 };
                 let near = self.near.as_ref()?;
                 let triangles = self.sides.as_ref().map(|sides| &*sides.triangles);
-                let of = (&*near.mesh, &*near.topology, triangles);
+                let of = (&*self.casters.mesh, &*near.topology, triangles);
                 near.counts.count(of, caster, &ray)
             }
         }

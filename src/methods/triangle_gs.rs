@@ -46,13 +46,14 @@ impl ShadowMethod for TriangleGs {
         &self,
         context: &PrepareContext<'_>,
     ) -> Result<Box<dyn PreparedMethod>, MethodError> {
-        let parameters = &self.volume.planned()?;
+        let parameters = &self.volume.planned(&context.scene.flight.light)?;
+        let context = &parameters.casters(context)?;
         let sides = vec![
             shader::glsl("methods/volumes/position.vert", &[]),
             shader::glsl("methods/triangle_gs/sides.geom", &parameters.defines(&[])),
         ];
         let faces = vec![
-            volumes::of_triangles(context, PrimitiveTopology::Triangles, sides),
+            volumes::of_triangles(context, PrimitiveTopology::Triangles, sides)?,
             volumes::caps(context, parameters),
         ];
         let volumes = StencilVolumes::new(context, parameters, &[], faces, Vec::new())?;

@@ -47,15 +47,16 @@ impl ShadowMethod for TriangleTs {
         &self,
         context: &PrepareContext<'_>,
     ) -> Result<Box<dyn PreparedMethod>, MethodError> {
-        let parameters = &self.volume.planned()?;
+        let parameters = &self.volume.planned(&context.scene.flight.light)?;
+        let context = &parameters.casters(context)?;
         let faces = match self.passes {
-            1 => vec![single(context, parameters)],
+            1 => vec![single(context, parameters)?],
             _ => vec![
-                part(context, parameters, 3),
+                part(context, parameters, 3)?,
                 Faces {
                     z_fail: parameters.front_cap_raster(),
                     in_z_pass: false,
-                    ..part(context, parameters, 1)
+                    ..part(context, parameters, 1)?
                 },
             ],
         };
@@ -71,7 +72,7 @@ fn part(
     context: &PrepareContext<'_>,
     parameters: &StageVolumeParameters,
     inner_level: u32,
-) -> Faces {
+) -> Result<Faces, MethodError> {
     let defines = parameters.defines(&[("INNER_LEVEL", inner_level)]);
     let stages = vec![
         shader::glsl("methods/volumes/position.vert", &[]),
@@ -82,7 +83,10 @@ fn part(
 }
 
 /// The whole volume in one.
-fn single(context: &PrepareContext<'_>, parameters: &StageVolumeParameters) -> Faces {
+fn single(
+    context: &PrepareContext<'_>,
+    parameters: &StageVolumeParameters,
+) -> Result<Faces, MethodError> {
     let push: &[_] = match parameters.front_cap {
         FrontCap::Far => &[("PUSH_FRONT_CAP", 1)],
         FrontCap::InPlace => &[],

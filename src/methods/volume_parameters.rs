@@ -1,11 +1,12 @@
 //! The parameters that all volume methods have.
 
-use super::MethodError;
+use super::{MethodError, PrepareContext};
 use crate::frame::{DepthFormat, DepthSetup};
 use crate::geometry::{Casting, Determinism};
 use crate::gpu::DepthDirection;
 use crate::gpu::native::Raster;
 use crate::parameters;
+use crate::scene::LightPath;
 use serde::{Deserialize, Serialize};
 use std::ops::Deref;
 
@@ -63,6 +64,17 @@ pub(super) enum Culling {
     Frustum,
 }
 
+/// What becomes of triangles that are occluded from the light (see [`crate::geometry::occluded`]).
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub(super) enum Occluded {
+    /// They cast shadows as all others do, within those of others.
+    #[default]
+    Cast,
+    /// They do not.
+    LeftOut,
+}
+
 /// Who decides what of the volumes is drawn.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
@@ -106,6 +118,8 @@ parameters! {
             "scene: volumes end just beyond the scene where all may; object: where each may; infinity: nowhere";
         pub culling: Culling = Culling::None,
             "whose volumes are not drawn: none, frustum (of objects that cannot shadow anything in view)";
+        pub occluded: Occluded = Occluded::Cast,
+            "triangles that are proven to be behind others, seen from a light that stands still: cast, left_out";
         pub front_cap: FrontCap = FrontCap::Far,
             "where the front caps of z_fail are: far (on the far plane, counted everywhere), in_place";
         pub push_back_px: f64 = PUSH_BACK_PX, in -1.0..=1.0,
@@ -141,12 +155,12 @@ impl StageVolumeParameters {
     ///
     /// # Errors
     /// When one that the plan decides is set as well.
-    pub(super) fn planned(mut self) -> Result<Self, MethodError> {
+    pub(super) fn planned(mut self, light: &LightPath) -> Result<Self, MethodError> {
         if self.plan == Plan::Auto {
             refuse_both("casting", self.casting != Self::default().casting)?;
             self.casting = Casting::EachSide;
         }
-        self.volume = self.volume.planned()?;
+        self.volume = self.volume.planned(light)?;
         Ok(self)
     }
 }
@@ -176,17 +190,35 @@ impl VolumeParameters {
     ///
     /// # Errors
     /// When one that the plan decides is set as well.
-    pub(super) fn planned(mut self) -> Result<Self, MethodError> {
+    pub(super) fn planned(mut self, light: &LightPath) -> Result<Self, MethodError> {
         if self.plan == Plan::Auto {
             let usual = Self::default();
             refuse_both("counting", self.counting != usual.counting)?;
             refuse_both("reach", self.reach != usual.reach)?;
             refuse_both("culling", self.culling != usual.culling)?;
+            refuse_both("occluded", self.occluded != usual.occluded)?;
             self.counting = Counting::ZPassCounted;
             self.reach = Reach::Object;
             self.culling = Culling::Frustum;
+            if light.standing_still().is_some() {
+                self.occluded = Occluded::LeftOut;
+            }
         }
         Ok(self)
+    }
+
+    /// The context of a method with these parameters, with the triangles that cast.
+    ///
+    /// # Errors
+    /// When some are to be left out and the light does not stand still.
+    pub(super) fn casters<'a>(
+        &self,
+        context: &PrepareContext<'a>,
+    ) -> Result<PrepareContext<'a>, MethodError> {
+        match self.occluded {
+            Occluded::Cast => Ok(context.clone()),
+            Occluded::LeftOut => context.without_occluded(),
+        }
     }
 
     /// The depth buffer that the frame is to be drawn with.
@@ -211,6 +243,8 @@ impl VolumeParameters {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::scene::Light;
+    use glam::Vec4;
 
     #[test]
     fn a_plan_decides_alone() {
@@ -221,14 +255,15 @@ mod tests {
             },
             ..StageVolumeParameters::default()
         };
-        let planned = auto.planned().unwrap();
+        let still = LightPath::still(Light::at(Vec4::W));
+        let planned = auto.planned(&still).unwrap();
         assert_eq!(planned.counting, Counting::ZPassCounted);
         assert_eq!(planned.casting, Casting::EachSide);
         let mut both = auto;
         both.volume.counting = Counting::ZPass;
-        let error = both.planned().unwrap_err().to_string();
+        let error = both.planned(&still).unwrap_err().to_string();
         assert!(error.contains("plan=auto decides `counting`"), "{error}");
         both.volume.plan = Plan::AsSet;
-        assert_eq!(both.planned().unwrap().counting, Counting::ZPass);
+        assert_eq!(both.planned(&still).unwrap().counting, Counting::ZPass);
     }
 }

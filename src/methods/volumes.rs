@@ -60,18 +60,17 @@ pub(super) fn of_triangles(
     context: &PrepareContext<'_>,
     topology: PrimitiveTopology,
     stages: Vec<Spirv>,
-) -> Faces {
-    let scene = &context.resources.scene;
+) -> Result<Faces, MethodError> {
     let elements = |triangles: &Range<u32>| 3 * triangles.start..3 * triangles.end;
-    Faces {
+    Ok(Faces {
         stages,
         input: SceneBuffers::NATIVE_INPUT,
         topology,
-        indices: Some(scene.indices.clone()),
-        draws: Draws::All(scene.casters.iter().map(elements).collect()),
+        indices: Some(context.indices()?),
+        draws: Draws::All(context.casters.triangles().iter().map(elements).collect()),
         z_fail: Raster::CountDepthFails,
         in_z_pass: true,
-    }
+    })
 }
 
 /// Front and back caps of all triangles, by a geometry shader. The back cap is behind everything,
@@ -85,7 +84,7 @@ pub(super) fn caps(context: &PrepareContext<'_>, parameters: &StageVolumeParamet
         input: VertexInput::Numbers,
         topology: PrimitiveTopology::Points,
         indices: None,
-        draws: Draws::All(context.resources.scene.casters.clone()),
+        draws: Draws::All(context.casters.triangles()),
         z_fail: parameters.front_cap_raster(),
         in_z_pass: false,
     }
@@ -94,17 +93,18 @@ pub(super) fn caps(context: &PrepareContext<'_>, parameters: &StageVolumeParamet
 /// Side quads of the open edges, counted down: what is left of the count of triangles that face the light is that of the
 /// others.
 fn open_edges(context: &PrepareContext<'_>) -> Result<Faces, MethodError> {
-    let mesh = &context.scene.mesh;
+    let scene_casters = &context.casters;
+    let mesh = &scene_casters.mesh;
     let mut corners = Vec::new();
     let casters = 0..mesh.caster_object_count();
     let draws = casters.map(|caster| {
         let start = corners.len() as u32;
-        for &open in context.open_edges().of(caster) {
+        for &open in scene_casters.open_edges().of(caster) {
             let counted_down = SilhouetteEdge {
                 multiplicity: -open.multiplicity,
                 ..open
             };
-            let edge = DirectedEdge::new(mesh, context.topology(), counted_down);
+            let edge = DirectedEdge::new(mesh, scene_casters.topology(), counted_down);
             for _ in 0..edge.multiplicity.unsigned_abs() {
                 corners.extend(edge.quad(|vertex| 2 * vertex, |vertex| 2 * vertex + 1));
             }
@@ -191,10 +191,11 @@ impl StencilVolumes {
         let device = &gpu.device;
         let counting = parameters.counting;
         let target = Target::new(device, &resources.targets.depth, parameters.depth)?;
+        let indices = context.indices()?;
         let mut bound = vec![
             (BindingKind::Uniform, &resources.uniform.buffer),
             (BindingKind::Storage, &resources.scene.positions),
-            (BindingKind::Storage, &resources.scene.indices),
+            (BindingKind::Storage, &indices),
         ];
         bound.extend(buffers.iter().map(|buffer| (BindingKind::Storage, buffer)));
         let bindings = Bindings::new(device, &bound)?;

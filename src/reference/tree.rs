@@ -1,7 +1,6 @@
 //! Which triangles are worth asking: a bounding volume hierarchy that is only ever conservative.
 
-mod build;
-
+use crate::geometry::box_tree;
 use glam::{DVec3, Vec3, Vec3A};
 use obvhs::aabb::Aabb;
 use obvhs::bvh2::Bvh2;
@@ -69,7 +68,7 @@ impl Tree {
                 Aabb::new(bounds.min - margin, bounds.max + margin)
             })
             .collect();
-        let bvh = build::build(&boxes);
+        let bvh = box_tree::build(&boxes);
         let mut slots = vec![0; primitives.len()];
         for (slot, &index) in bvh.primitive_indices.iter().enumerate() {
             slots[index as usize] = slot as u32;

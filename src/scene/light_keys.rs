@@ -92,6 +92,14 @@ impl LightKeys {
         }
     }
 
+    /// The light, if it stands still.
+    #[must_use]
+    pub fn standing_still(&self) -> Option<Light> {
+        let first = self.keys.first()?;
+        let is_there = |key: &LightKey| key.place == first.place;
+        self.keys.iter().all(is_there).then(|| self.light_at(0.0))
+    }
+
     /// Says what is wrong with the keys, if anything. Between good keys a direction may still vanish:
     /// [`Light::validate`] says so for one moment.
     ///

@@ -48,6 +48,15 @@ impl LightPath {
         }
     }
 
+    /// The light, if it stands still.
+    #[must_use]
+    pub fn standing_still(&self) -> Option<Light> {
+        match self {
+            Self::Keys(keys) => keys.standing_still(),
+            Self::Sun(_) => None,
+        }
+    }
+
     /// Says what is wrong with the path, if anything; see [`LightKeys::validate`].
     ///
     /// # Errors

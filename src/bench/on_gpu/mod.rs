@@ -210,7 +210,7 @@ impl Session for GpuSession<'_> {
     }
 
     fn edges(&self) -> Option<EdgeRecord> {
-        let counts = self.device.topology_if_built()?.counts();
+        let counts = self.device.casters().topology_if_built()?.counts();
         Some(EdgeRecord {
             boundary: counts.boundary as u64,
             manifold: counts.manifold as u64,

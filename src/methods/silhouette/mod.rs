@@ -92,15 +92,16 @@ impl<S: SideStage> ShadowMethod for Silhouette<S> {
         &self,
         context: &PrepareContext<'_>,
     ) -> Result<Box<dyn PreparedMethod>, MethodError> {
-        let parameters = &self.volume.planned()?;
+        let parameters = &self.volume.planned(&context.scene.flight.light)?;
+        let context = &parameters.casters(context)?;
         let most_opposites = match self.input {
             EdgeInput::Storage => self.max_multiplicity,
             EdgeInput::Patch => self.max_multiplicity.min(S::MAX_PATCH_OPPOSITES),
         };
-        let mesh = &context.scene.mesh;
-        let topology = context.topology();
+        let mesh = &context.casters.mesh;
+        let topology = context.casters.topology();
         let triangles = match parameters.casting {
-            Casting::LightFacing | Casting::EachSide => Some(&**context.edge_triangles()),
+            Casting::LightFacing | Casting::EachSide => Some(&**context.casters.edge_triangles()),
             Casting::All => None,
         };
         let edges = EdgeRecords::new(mesh, topology, triangles, most_opposites);
@@ -234,8 +235,8 @@ impl<S: SideStage> Sides<'_, S> {
     }
 
     fn chosen(&self, elements: Elements) -> Result<(wgpu::Buffer, Draws), MethodError> {
-        let PrepareContext { gpu, scene, .. } = self.context;
-        let of = (&*scene.mesh, &**self.context.topology(), self.triangles);
+        let PrepareContext { gpu, casters, .. } = self.context;
+        let of = (&*casters.mesh, &**casters.topology(), self.triangles);
         let chosen = NearSilhouette::new(gpu, of, &self.edges, elements)?;
         let buffer = chosen.buffer().clone();
         Ok((buffer, Draws::Chosen(Box::new(chosen))))

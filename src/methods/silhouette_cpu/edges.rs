@@ -2,7 +2,7 @@
 
 use crate::geometry::open_edges::is_irregular;
 use crate::geometry::silhouette::SilhouetteEdge;
-use crate::geometry::{EdgeTriangles, Topology, facing};
+use crate::geometry::{DisjointSets, EdgeTriangles, Topology, facing};
 use crate::methods::side_quad::DirectedEdge;
 use crate::scene::Mesh;
 use glam::Vec4;
@@ -108,22 +108,11 @@ impl CasterEdges {
 
 /// For each vertex one of the same connected part of its object: where fans of that part meet.
 pub(super) fn fan_apexes(mesh: &Mesh, topology: &Topology) -> Vec<u32> {
-    let mut parents: Vec<u32> = (0..mesh.positions.len() as u32).collect();
+    let mut parts = DisjointSets::new(mesh.positions.len() as u32);
     for edge in &topology.edges {
-        let (a, b) = (root(&mut parents, edge.a), root(&mut parents, edge.b));
-        // The smallest vertex is the root.
-        parents[a.max(b) as usize] = a.min(b);
+        parts.join(edge.a, edge.b);
     }
-    (0..parents.len() as u32)
-        .map(|vertex| root(&mut parents, vertex))
+    (0..mesh.positions.len() as u32)
+        .map(|vertex| parts.smallest(vertex))
         .collect()
-}
-
-fn root(parents: &mut [u32], mut vertex: u32) -> u32 {
-    while parents[vertex as usize] != vertex {
-        // Paths are halved on the way.
-        parents[vertex as usize] = parents[parents[vertex as usize] as usize];
-        vertex = parents[vertex as usize];
-    }
-    vertex
 }

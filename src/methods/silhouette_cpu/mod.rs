@@ -65,15 +65,17 @@ impl ShadowMethod for SilhouetteCpu {
         &self,
         context: &PrepareContext<'_>,
     ) -> Result<Box<dyn PreparedMethod>, MethodError> {
-        let volume = self.volume.planned()?;
+        let volume = self.volume.planned(&context.scene.flight.light)?;
         let mut casting = self.casting;
         if volume.plan == Plan::Auto {
             refuse_both("casting", casting != Self::default().casting)?;
             casting = Casting::EachSide;
         }
-        let mesh = Arc::clone(&context.scene.mesh);
-        let topology = Rc::clone(context.topology());
-        let triangles = Rc::clone(context.edge_triangles());
+        let context = &volume.casters(context)?;
+        let casters = &context.casters;
+        let mesh = Arc::clone(&casters.mesh);
+        let topology = Rc::clone(casters.topology());
+        let triangles = Rc::clone(casters.edge_triangles());
         let capping = Capping {
             front_cap: volume.front_cap,
             caps: self.caps,
@@ -99,7 +101,7 @@ impl ShadowMethod for SilhouetteCpu {
             topology,
             edges,
             planner: Planner::new(context, volume, casting, Determinism::default()),
-            open_edges: Rc::clone(context.open_edges()),
+            open_edges: Rc::clone(casters.open_edges()),
             capping,
             apexes,
         }))

@@ -32,7 +32,7 @@ impl Boxed {
 
 /// The hierarchy over these boxes. It takes at most linear time times the depth, and this is at most
 /// [`MAX_UNEVEN_DEPTH`] and the logarithm of the number of boxes.
-pub(super) fn build(boxes: &[Aabb]) -> Bvh2 {
+pub fn build(boxes: &[Aabb]) -> Bvh2 {
     let mut bvh = Bvh2::default();
     if boxes.is_empty() {
         bvh.max_depth = 1;
