@@ -1,10 +1,14 @@
 // The lit picture: clay under one light and a soft sky, with the shadow mask applied.
 #include "shared/fullscreen.wgsl"
+#include "shared/pixel.wgsl"
 
-@group(0) @binding(0) var triangle_ids: texture_2d<u32>;
-@group(0) @binding(1) var shadow_mask: texture_2d<f32>;
+// The shadow mask, four pixels a word.
+@group(0) @binding(0) var<storage, read> shadow_mask: array<u32>;
 // See visible_triangles.wgsl.
-@group(0) @binding(2) var shading: texture_2d<f32>;
+@group(0) @binding(1) var<storage, read> shading: array<u32>;
+
+// What visible_triangles.wgsl has where there is nothing.
+const NOTHING: u32 = 0x80008000u;
 
 const BACKGROUND = vec3<f32>(0.62, 0.70, 0.78);
 const CLAY = vec3<f32>(0.78, 0.75, 0.70);
@@ -14,12 +18,12 @@ const SUN = vec3<f32>(0.58, 0.56, 0.50);
 
 @fragment
 fn shade(@builtin(position) at: vec4<f32>) -> @location(0) vec4<f32> {
-    let pixel = vec2<i32>(at.xy);
-    let id = textureLoad(triangle_ids, pixel, 0).x;
-    let terms = textureLoad(shading, pixel, 0).xy;
-    let lit = 1.0 - textureLoad(shadow_mask, pixel, 0).x;
+    let pixel = pixel_index(at);
+    let packed = shading[pixel];
+    let terms = unpack2x16snorm(packed);
+    let lit = 1.0 - unpack4x8unorm(shadow_mask[pixel / 4u] >> (8u * (pixel % 4u))).x;
     let sky = mix(SOIL, SKY, 0.5 + 0.5 * terms.x);
     // Near enough to a screen's curve, and much faster than a power.
     let colour = sqrt(CLAY * (sky + SUN * (lit * max(terms.y, 0.0))));
-    return vec4<f32>(select(colour, BACKGROUND, id == 0u), 1.0);
+    return vec4<f32>(select(colour, BACKGROUND, packed == NOTHING), 1.0);
 }

@@ -15,10 +15,15 @@
 #include "shared/frame.wgsl"
 #include "shared/facing.wgsl"
 #include "shared/fullscreen.wgsl"
+#include "shared/pixel.wgsl"
 
 @group(1) @binding(0) var<storage, read> positions: array<vec4<f32>>;
 @group(1) @binding(1) var<storage, read> indices: array<u32>;
-@group(2) @binding(0) var triangle_ids: texture_2d<u32>;
+@group(2) @binding(0) var<storage, read> triangle_ids: array<u32>;
+// That of a lit side whose own edges leave it no other, else UNMOVED.
+@group(2) @binding(1) var<storage, read_write> moved_depths: array<f32>;
+// How far the normal points up, and the cosine of the light's angle; or BACKGROUND.
+@group(2) @binding(2) var<storage, read_write> shading: array<u32>;
 
 // More than any depth: it stays as it is.
 const UNMOVED: f32 = 2.0;
@@ -98,19 +103,18 @@ fn moved_depth(sight: Sight, surface: Crossing, a: vec3<f32>, b: vec3<f32>, c: v
     return depth_at(w);
 }
 
-struct Visible {
-    // 1 on dark sides.
-    @location(0) mask: vec4<f32>,
-    @location(1) depth: f32,
-    // How far the normal points up, and the cosine of the light's angle.
-    @location(2) shading: vec2<f32>,
-}
+// What no two numbers are packed to.
+const BACKGROUND: u32 = 0x80008000u;
 
+// The mask: 1 on dark sides.
 @fragment
-fn visible_triangles(@builtin(position) at: vec4<f32>) -> Visible {
-    let id = textureLoad(triangle_ids, vec2<i32>(at.xy), 0).x;
+fn visible_triangles(@builtin(position) at: vec4<f32>) -> @location(0) vec4<f32> {
+    let pixel = pixel_index(at);
+    let id = triangle_ids[pixel];
     if id == 0u {
-        return Visible(vec4<f32>(0.0), UNMOVED, vec2<f32>(0.0));
+        moved_depths[pixel] = UNMOVED;
+        shading[pixel] = BACKGROUND;
+        return vec4<f32>(0.0);
     }
     let first = 3u * (id - 1u);
     let a = positions[indices[first]].xyz;
@@ -127,11 +131,12 @@ fn visible_triangles(@builtin(position) at: vec4<f32>) -> Visible {
     if sides > 0 {
         depth = moved_depth(sight, surface, a, b, c, side);
     }
-    // Scaled before the cross product: tiny triangles would underflow.
-    let up = normalize(cross(normalize(b - a), normalize(c - a)));
-    let towards_eye = select(up, -up, dot(up, sight.ray) > 0.0);
-    let position = frame.eye.xyz + sight.ray * surface.w;
-    let to_light = normalize(frame.light.xyz - position * frame.light.w);
-    let shading = vec2<f32>(towards_eye.y, dot(towards_eye, to_light));
-    return Visible(vec4<f32>(select(0.0, 1.0, sides < 0)), depth, shading);
+    // Squares of a tiny triangle's normal would underflow.
+    let scaled = normal / max(max(abs(normal.x), abs(normal.y)), abs(normal.z));
+    let towards_eye = select(scaled, -scaled, surface.along_normal) * inverseSqrt(dot(scaled, scaled));
+    let to_light = frame.light.xyz - (frame.eye.xyz + sight.ray * surface.w) * frame.light.w;
+    let cosine = dot(towards_eye, to_light) * inverseSqrt(dot(to_light, to_light));
+    shading[pixel] = pack2x16snorm(vec2<f32>(towards_eye.y, cosine));
+    moved_depths[pixel] = depth;
+    return vec4<f32>(select(0.0, 1.0, sides < 0));
 }

@@ -11,6 +11,7 @@ pub mod fullscreen;
 mod gbuffer;
 mod mask_pass;
 mod numbered;
+mod pixel_buffers;
 mod resolve;
 mod scene;
 mod shade;

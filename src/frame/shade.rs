@@ -1,7 +1,7 @@
 //! The last stage: the lit picture.
 
 use super::Targets;
-use super::fullscreen::{self, FullscreenDesc, bind_group, bind_group_layout, texture_binding};
+use super::fullscreen::{self, FullscreenDesc};
 use super::targets::COLOUR_FORMAT;
 use crate::gpu::{Gpu, shader};
 
@@ -14,30 +14,25 @@ pub struct Shade {
 impl Shade {
     pub(super) fn new(gpu: &Gpu, targets: &Targets) -> Self {
         let device = &gpu.device;
-        let plain = texture_binding(wgpu::TextureSampleType::Float { filterable: false });
-        let types = [texture_binding(wgpu::TextureSampleType::Uint), plain, plain];
-        let stages = wgpu::ShaderStages::FRAGMENT;
-        let input_layout = bind_group_layout(device, "shade inputs", stages, &types);
-        let views = [
-            &targets.triangle_ids_view,
-            &targets.mask_view,
-            &targets.shading_view,
-        ];
-        let views = views.map(wgpu::BindingResource::TextureView);
+        let (input_layout, inputs) = targets.pixels.for_shade(device);
         let module = shader::wgsl(device, "frame/shade.wgsl");
         let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
             label: Some("shade"),
             bind_group_layouts: &[Some(&input_layout)],
             ..Default::default()
         });
-        let desc = FullscreenDesc::new(&module, "shade", &layout, COLOUR_FORMAT);
+        let desc = FullscreenDesc {
+            constants: &targets.pixels.constants(),
+            ..FullscreenDesc::new(&module, "shade", &layout, COLOUR_FORMAT)
+        };
         Self {
             pipeline: fullscreen::pipeline(device, &desc),
-            inputs: bind_group(device, &input_layout, &views),
+            inputs,
         }
     }
 
     pub(super) fn record(&self, encoder: &mut wgpu::CommandEncoder, targets: &Targets) {
+        targets.pixels.take_mask(encoder, &targets.mask);
         let load = wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT);
         let mut pass = fullscreen::pass(encoder, "shade", &targets.colour_view, load, None);
         pass.set_pipeline(&self.pipeline);

@@ -1,6 +1,7 @@
 //! The textures that a frame is drawn into.
 
 use super::DepthSetup;
+use super::pixel_buffers::PixelBuffers;
 use crate::gpu::{DeviceError, Gpu};
 
 /// All targets of a frame, of one size.
@@ -27,8 +28,7 @@ pub struct Targets {
     pub colour: wgpu::Texture,
     /// View of `colour`.
     pub colour_view: wgpu::TextureView,
-    pub(super) moved_depth_view: wgpu::TextureView,
-    pub(super) shading_view: wgpu::TextureView,
+    pub(super) pixels: PixelBuffers,
 }
 
 /// Format of [`Targets::triangle_ids`].
@@ -37,10 +37,6 @@ pub const TRIANGLE_ID_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::R32Uint
 pub const MASK_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::R8Unorm;
 /// Format of [`Targets::colour`].
 pub const COLOUR_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
-/// Depth beside edges, see visible_triangles.wgsl.
-pub(super) const MOVED_DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::R32Float;
-/// What shading knows of a surface: two numbers from -1 to 1.
-pub(super) const SHADING_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rg16Float;
 
 impl Targets {
     /// Targets of `width` × `height` pixels.
@@ -75,8 +71,6 @@ impl Targets {
         let write = wgpu::TextureUsages::COPY_DST;
         let mask = texture("a shadow mask", MASK_FORMAT, read | sample | write)?;
         let colour = texture("a picture", COLOUR_FORMAT, read)?;
-        let moved_depth = texture("a picture of moved depths", MOVED_DEPTH_FORMAT, sample)?;
-        let shading = texture("a picture of angles", SHADING_FORMAT, sample)?;
         let view = |texture: &wgpu::Texture, aspect| {
             texture.create_view(&wgpu::TextureViewDescriptor {
                 aspect,
@@ -91,8 +85,7 @@ impl Targets {
             triangle_ids_view: view(&triangle_ids, wgpu::TextureAspect::All),
             mask_view: view(&mask, wgpu::TextureAspect::All),
             colour_view: view(&colour, wgpu::TextureAspect::All),
-            moved_depth_view: view(&moved_depth, wgpu::TextureAspect::All),
-            shading_view: view(&shading, wgpu::TextureAspect::All),
+            pixels: PixelBuffers::new(gpu, width, height)?,
             depth,
             triangle_ids,
             mask,

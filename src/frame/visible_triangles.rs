@@ -1,7 +1,7 @@
 //! Passes over the picture that ask which triangle is visible: what of the mask, of depth and of shading follows from it.
 
-use super::fullscreen::{self, FullscreenDesc, bind_group, bind_group_layout, texture_binding};
-use super::targets::{MASK_FORMAT, MOVED_DEPTH_FORMAT, SHADING_FORMAT};
+use super::fullscreen::{self, FullscreenDesc};
+use super::targets::MASK_FORMAT;
 use super::{FrameUniform, SceneBuffers, Targets};
 use crate::gpu::{Gpu, shader};
 
@@ -9,7 +9,7 @@ use crate::gpu::{Gpu, shader};
 /// away from the light, the depth of lit sides beside their own edges, and what shading needs (see the shaders).
 pub struct VisibleTriangles {
     visible: wgpu::RenderPipeline,
-    ids: wgpu::BindGroup,
+    pixels: wgpu::BindGroup,
     edge_depth: wgpu::RenderPipeline,
     moved_depth: wgpu::BindGroup,
 }
@@ -22,12 +22,7 @@ impl VisibleTriangles {
         targets: &Targets,
     ) -> Self {
         let device = &gpu.device;
-        let input = |label, view, sample_type| {
-            let types = [texture_binding(sample_type)];
-            let layout = bind_group_layout(device, label, wgpu::ShaderStages::FRAGMENT, &types);
-            let group = bind_group(device, &layout, &[wgpu::BindingResource::TextureView(view)]);
-            (layout, group)
-        };
+        let constants = &targets.pixels.constants();
         let pipeline_layout = |label, groups: &[Option<&wgpu::BindGroupLayout>]| {
             device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
                 label: Some(label),
@@ -35,28 +30,26 @@ impl VisibleTriangles {
                 ..Default::default()
             })
         };
-        let ids = &targets.triangle_ids_view;
-        let (ids_layout, ids) = input("triangle ids", ids, wgpu::TextureSampleType::Uint);
+        let (pixels_layout, pixels) = targets.pixels.for_visible_triangles(device);
         let layouts = [
             Some(&uniform.layout),
             Some(&scene.layout),
-            Some(&ids_layout),
+            Some(&pixels_layout),
         ];
         let layout = pipeline_layout("visible triangles", &layouts);
         let module = shader::wgsl(device, "frame/visible_triangles.wgsl");
         let visible = FullscreenDesc {
-            formats: vec![MASK_FORMAT, MOVED_DEPTH_FORMAT, SHADING_FORMAT],
+            constants,
             ..FullscreenDesc::new(&module, "visible_triangles", &layout, MASK_FORMAT)
         };
         let visible = fullscreen::pipeline(device, &visible);
 
-        let moved = &targets.moved_depth_view;
-        let plain = wgpu::TextureSampleType::Float { filterable: false };
-        let (moved_layout, moved_depth) = input("moved depth", moved, plain);
+        let (moved_layout, moved_depth) = targets.pixels.for_edge_depth(device);
         let layout = pipeline_layout("edge depth", &[Some(&moved_layout)]);
         let module = shader::wgsl(device, "frame/edge_depth.wgsl");
         let edge_depth = FullscreenDesc {
             formats: Vec::new(),
+            constants,
             depth_stencil: Some(wgpu::DepthStencilState {
                 format: targets.depth.format(),
                 depth_write_enabled: Some(true),
@@ -68,7 +61,7 @@ impl VisibleTriangles {
         };
         Self {
             visible,
-            ids,
+            pixels,
             edge_depth: fullscreen::pipeline(device, &edge_depth),
             moved_depth,
         }
@@ -82,11 +75,16 @@ impl VisibleTriangles {
         scene: &SceneBuffers,
         targets: &Targets,
     ) -> u32 {
-        let mut pass = visible_pass(encoder, targets);
+        targets
+            .pixels
+            .take_triangle_ids(encoder, &targets.triangle_ids);
+        let load = wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT);
+        let view = &targets.mask_view;
+        let mut pass = fullscreen::pass(encoder, "visible triangles", view, load, None);
         pass.set_pipeline(&self.visible);
         pass.set_bind_group(0, &uniform.bind_group, &[]);
         pass.set_bind_group(1, &scene.bind_group, &[]);
-        pass.set_bind_group(2, &self.ids, &[]);
+        pass.set_bind_group(2, &self.pixels, &[]);
         pass.draw(0..3, 0..1);
         drop(pass);
         let mut pass = depth_pass(encoder, targets);
@@ -95,33 +93,6 @@ impl VisibleTriangles {
         pass.draw(0..3, 0..1);
         2
     }
-}
-
-/// A pass that writes what a visible triangle decides.
-fn visible_pass<'a>(
-    encoder: &'a mut wgpu::CommandEncoder,
-    targets: &Targets,
-) -> wgpu::RenderPass<'a> {
-    let attachment = |view| {
-        Some(wgpu::RenderPassColorAttachment {
-            view,
-            depth_slice: None,
-            resolve_target: None,
-            ops: wgpu::Operations {
-                load: wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT),
-                store: wgpu::StoreOp::Store,
-            },
-        })
-    };
-    encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-        label: Some("visible triangles"),
-        color_attachments: &[
-            attachment(&targets.mask_view),
-            attachment(&targets.moved_depth_view),
-            attachment(&targets.shading_view),
-        ],
-        ..Default::default()
-    })
 }
 
 /// A pass that writes depth alone.

@@ -1,0 +1,119 @@
+//! What passes over the picture tell each other about its pixels.
+
+use super::fullscreen::{bind_group, bind_group_layout, buffer_binding};
+use crate::gpu::{DeviceError, Gpu};
+
+/// Rows of a picture begin at multiples of so many pixels: a copy from a texture asks for it.
+const ROW_ALIGNMENT: u32 = 256;
+
+/// Pictures in buffers. Where the device is a processor, reading a texture takes ten times as long, and copies of whole
+/// pictures next to nothing.
+pub(super) struct PixelBuffers {
+    /// Pixels from one row to the next.
+    row_px: u32,
+    /// A copy of [`triangle_ids`](super::Targets::triangle_ids).
+    triangle_ids: wgpu::Buffer,
+    /// A copy of [`mask`](super::Targets::mask).
+    mask: wgpu::Buffer,
+    /// Depth beside edges, see visible_triangles.wgsl.
+    moved_depth: wgpu::Buffer,
+    /// What shading knows of a surface, see visible_triangles.wgsl.
+    shading: wgpu::Buffer,
+}
+
+impl PixelBuffers {
+    /// For pictures of `width` × `height` pixels.
+    ///
+    /// # Errors
+    /// When the device cannot hold them.
+    pub(super) fn new(gpu: &Gpu, width: u32, height: u32) -> Result<Self, DeviceError> {
+        let row_px = width.next_multiple_of(ROW_ALIGNMENT);
+        let buffer = |what, bytes_per_px: u64| {
+            let bytes = bytes_per_px * u64::from(row_px) * u64::from(height);
+            let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST;
+            gpu.empty_buffer(what, bytes, usage)
+        };
+        Ok(Self {
+            row_px,
+            triangle_ids: buffer("the triangle numbers of a picture", 4)?,
+            mask: buffer("a copy of the shadow mask", 1)?,
+            moved_depth: buffer("the moved depths of a picture", 4)?,
+            shading: buffer("the angles of a picture", 4)?,
+        })
+    }
+
+    /// The constant of shared/pixel.wgsl.
+    pub(super) fn constants(&self) -> [(&'static str, f64); 1] {
+        [("row_px", f64::from(self.row_px))]
+    }
+
+    /// Copies the triangle numbers that were drawn.
+    pub(super) fn take_triangle_ids(
+        &self,
+        encoder: &mut wgpu::CommandEncoder,
+        drawn: &wgpu::Texture,
+    ) {
+        self.copy(encoder, drawn, &self.triangle_ids, 4);
+    }
+
+    /// Copies the shadow mask as it is.
+    pub(super) fn take_mask(&self, encoder: &mut wgpu::CommandEncoder, mask: &wgpu::Texture) {
+        self.copy(encoder, mask, &self.mask, 1);
+    }
+
+    fn copy(
+        &self,
+        encoder: &mut wgpu::CommandEncoder,
+        from: &wgpu::Texture,
+        to: &wgpu::Buffer,
+        bytes_per_px: u32,
+    ) {
+        let to = wgpu::TexelCopyBufferInfo {
+            buffer: to,
+            layout: wgpu::TexelCopyBufferLayout {
+                offset: 0,
+                bytes_per_row: Some(bytes_per_px * self.row_px),
+                rows_per_image: None,
+            },
+        };
+        encoder.copy_texture_to_buffer(from.as_image_copy(), to, from.size());
+    }
+
+    /// Triangle numbers to be read, moved depths and shading to be written.
+    pub(super) fn for_visible_triangles(
+        &self,
+        device: &wgpu::Device,
+    ) -> (wgpu::BindGroupLayout, wgpu::BindGroup) {
+        let buffers = [&self.triangle_ids, &self.moved_depth, &self.shading];
+        bound(device, [true, false, false], buffers)
+    }
+
+    /// Moved depths to be read.
+    pub(super) fn for_edge_depth(
+        &self,
+        device: &wgpu::Device,
+    ) -> (wgpu::BindGroupLayout, wgpu::BindGroup) {
+        bound(device, [true], [&self.moved_depth])
+    }
+
+    /// The mask and shading to be read.
+    pub(super) fn for_shade(
+        &self,
+        device: &wgpu::Device,
+    ) -> (wgpu::BindGroupLayout, wgpu::BindGroup) {
+        bound(device, [true; 2], [&self.mask, &self.shading])
+    }
+}
+
+fn bound<const N: usize>(
+    device: &wgpu::Device,
+    read_only: [bool; N],
+    buffers: [&wgpu::Buffer; N],
+) -> (wgpu::BindGroupLayout, wgpu::BindGroup) {
+    let storage = |read_only| buffer_binding(wgpu::BufferBindingType::Storage { read_only });
+    let types = read_only.map(storage);
+    let layout = bind_group_layout(device, "pixels", wgpu::ShaderStages::FRAGMENT, &types);
+    let resources = buffers.map(wgpu::Buffer::as_entire_binding);
+    let group = bind_group(device, &layout, &resources);
+    (layout, group)
+}
