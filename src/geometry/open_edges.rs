@@ -21,8 +21,8 @@ pub struct OpenEdges {
 }
 
 struct OfCaster {
-    edges: Range<usize>,
-    of_all: f64,
+    open: Range<usize>,
+    edge_count: usize,
 }
 
 /// 1 for a triangle that goes from an edge's `a` to its `b`, -1 for one that goes back.
@@ -59,8 +59,8 @@ impl OpenEdges {
                 }
             }
             OfCaster {
-                edges: start..open.len(),
-                of_all: (open.len() - start) as f64 / numbers.len().max(1) as f64,
+                open: start..open.len(),
+                edge_count: numbers.len(),
             }
         });
         let casters = casters.collect();
@@ -72,11 +72,16 @@ impl OpenEdges {
 
     /// Those of a caster.
     pub fn of(&self, caster: usize) -> &[SilhouetteEdge] {
-        &self.edges[self.casters[caster].edges.clone()]
+        &self.edges[self.casters[caster].open.clone()]
     }
 
     /// Which part of a caster's edges they are.
     pub fn share(&self, caster: usize) -> f64 {
-        self.casters[caster].of_all
+        self.of(caster).len() as f64 / self.edge_count(caster).max(1) as f64
+    }
+
+    /// How many edges a caster has.
+    pub fn edge_count(&self, caster: usize) -> usize {
+        self.casters[caster].edge_count
     }
 }

@@ -67,11 +67,14 @@ impl FramePlan {
 /// drawn twice, and there are few folds between them. Of Sponza's objects this is within a twentieth of the best choice.
 const MOST_OPEN: f64 = 0.3;
 
+/// Where objects with fewer of a scene's edges would cast [`Casting::EachSide`], all their triangles cast instead: the second
+/// count has a price for the whole picture.
+const FEWEST_EACH_SIDE: f64 = 0.05;
+
 /// Makes plans.
 pub(super) struct Planner {
     casters: Rc<Casters>,
     parameters: VolumeParameters,
-    casting: Casting,
     determinism: Determinism,
     /// Where not all triangles may cast.
     sides: Option<Sides>,
@@ -91,6 +94,21 @@ struct Sides {
     /// For each caster whether it is closed and wound consistently.
     closed: Rc<[bool]>,
     open_edges: Rc<OpenEdges>,
+    /// Whether objects that are not closed may cast [`Casting::EachSide`].
+    each_side: bool,
+}
+
+/// Which part of all edges is of objects that are not closed, and closed enough for [`Casting::EachSide`].
+fn share_of_each_side(closed: &[bool], open_edges: &OpenEdges) -> f64 {
+    let (mut of_each_side, mut of_all) = (0, 0);
+    for (caster, is_closed) in closed.iter().enumerate() {
+        let edges = open_edges.edge_count(caster);
+        of_all += edges;
+        if !is_closed && open_edges.share(caster) <= MOST_OPEN {
+            of_each_side += edges;
+        }
+    }
+    of_each_side as f64 / of_all.max(1) as f64
 }
 
 impl Planner {
@@ -103,10 +121,16 @@ impl Planner {
     ) -> Self {
         let casters = &context.casters;
         let mesh = &casters.mesh;
-        let sides = || Sides {
-            closed: Rc::clone(casters.are_closed()),
-            triangles: Rc::clone(casters.edge_triangles()),
-            open_edges: Rc::clone(casters.open_edges()),
+        let sides = || {
+            let closed = Rc::clone(casters.are_closed());
+            let open_edges = Rc::clone(casters.open_edges());
+            Sides {
+                each_side: casting == Casting::EachSide
+                    && share_of_each_side(&closed, &open_edges) >= FEWEST_EACH_SIDE,
+                triangles: Rc::clone(casters.edge_triangles()),
+                closed,
+                open_edges,
+            }
         };
         let near = || Near {
             counts: NearCounts::build(mesh, casters.topology()),
@@ -115,7 +139,6 @@ impl Planner {
         Self {
             casters: Rc::clone(casters),
             parameters,
-            casting,
             determinism,
             sides: (casting != Casting::All).then(sides),
             near: (parameters.counting == Counting::ZPassCounted).then(near),
@@ -191,9 +214,8 @@ impl Planner {
         if sides.closed[caster] && is_outside() {
             return count(Casting::LightFacing);
         }
-        let open = &sides.open_edges;
-        if self.casting == Casting::EachSide
-            && open.share(caster) <= MOST_OPEN
+        if sides.each_side
+            && sides.open_edges.share(caster) <= MOST_OPEN
             && let (casting, Some(count)) = count(Casting::EachSide)
         {
             return (casting, Some(count));

@@ -17,7 +17,7 @@ mod proof;
 use super::disjoint_sets::DisjointSets;
 use super::open_edges::winding;
 use super::silhouette::Facings;
-use super::{Edge, EdgeTriangles, Topology};
+use super::{Bounds, Edge, EdgeTriangles, Topology};
 use crate::scene::Mesh;
 use glam::{DVec3, Vec4};
 use proof::{Prover, Walks};
@@ -28,7 +28,7 @@ use std::ops::Range;
 const WORTH_A_CORE: usize = 256;
 
 /// For each triangle of a mesh whether it is to be left out, because all of it is proven to be behind others, seen from the
-/// light, and sides of shadow volumes become shorter. `are_closed` says of each object that casts whether it is closed
+/// light, and sides of shadow volumes become smaller. `are_closed` says of each object that casts whether it is closed
 /// and wound consistently.
 pub fn left_out(
     light: Vec4,
@@ -90,6 +90,8 @@ struct Sides<'a> {
     are_closed: &'a [bool],
     /// Of all triangles.
     facings: Vec<i8>,
+    /// Around the scene.
+    bounds: Bounds,
 }
 
 impl<'a> Sides<'a> {
@@ -107,6 +109,7 @@ impl<'a> Sides<'a> {
             triangles,
             are_closed,
             facings,
+            bounds: Bounds::of(&mesh.positions),
         }
     }
 
@@ -146,7 +149,7 @@ impl<'a> Sides<'a> {
     }
 
     /// Where triangles are left out, the volumes of their neighbours end. Of each connected part of them, gives those
-    /// back whose border is longer than the sides that go with them, seen from the light.
+    /// back at whose border sides would be larger than those that go with them.
     fn give_back(&self, left_out: &mut [bool]) {
         let mut parts = DisjointSets::new(left_out.len() as u32);
         let of_edge = |edge: Edge, left_out: &[bool]| {
@@ -167,7 +170,7 @@ impl<'a> Sides<'a> {
                 };
                 let before = self.quads(*edge, is_closed, |_| true);
                 let after = self.quads(*edge, is_closed, |triangle| !left_out[triangle]);
-                let gain = (f64::from(before) - f64::from(after)) * self.length(*edge);
+                let gain = (f64::from(before) - f64::from(after)) * self.quad_area(*edge);
                 gains[parts.smallest(one) as usize] += gain;
             }
         }
@@ -176,18 +179,24 @@ impl<'a> Sides<'a> {
         }
     }
 
-    /// How long an edge is, seen from the light: an angle, or a length if the light is at infinity.
-    fn length(&self, edge: Edge) -> f64 {
-        let at = |vertex: u32| self.mesh.positions[vertex as usize].as_dvec3();
+    /// The area of a side quad from an edge to where it leaves the box around the scene.
+    fn quad_area(&self, edge: Edge) -> f64 {
+        let [a, b] = [edge.a, edge.b].map(|vertex| self.mesh.positions[vertex as usize].as_dvec3());
         let light = self.light.as_dvec4();
-        let [a, b] = [edge.a, edge.b].map(|vertex| light.truncate() - at(vertex) * light.w);
+        let from_light = |p: DVec3| p * light.w - light.truncate();
+        let middle = (a + b) / 2.0;
+        let away = from_light(middle).normalize_or(DVec3::NEG_Y);
+        let side = DVec3::select(away.cmpgt(DVec3::ZERO), self.bounds.high, self.bounds.low);
+        let exits = (side - middle) / away;
+        let is_along = away.abs().cmpgt(DVec3::splat(1e-12));
+        let reach = DVec3::select(is_along, exits, DVec3::INFINITY).min_element();
+        let width = (b - a).cross(away).length();
         if light.w == 0.0 {
-            (at(edge.b) - at(edge.a))
-                .cross(light.truncate().normalize_or(DVec3::Y))
-                .length()
-        } else {
-            a.cross(b).length().atan2(a.dot(b))
+            return width * reach;
         }
+        // It gets wider with the distance from the light.
+        let distance = from_light(middle).length().max(f64::MIN_POSITIVE);
+        width * reach * (1.0 + reach / (2.0 * distance))
     }
 }
 

@@ -70,10 +70,11 @@ fn a_surface_may_have_folds_but_no_holes() {
 }
 
 #[test]
-fn what_shortens_no_side_is_not_left_out() {
+fn what_makes_no_side_smaller_is_not_left_out() {
     let left_out_of = |parts: &[Vec<[Vec3; 3]>]| {
-        let parts = parts.iter().map(|part| Part::of_triangles("part", part));
-        let mesh: Mesh = parts.collect();
+        let floor = square(Vec3::new(0.0, -5.0, 0.0), 9.0);
+        let parts = parts.iter().chain([&floor]);
+        let mesh: Mesh = parts.map(|part| Part::of_triangles("part", part)).collect();
         let topology = Topology::build(&mesh);
         let triangles = EdgeTriangles::build(&mesh, &topology);
         let are_closed = triangles.closed_casters(&mesh, &topology);
@@ -81,7 +82,10 @@ fn what_shortens_no_side_is_not_left_out() {
     };
     let above = square(Vec3::new(0.0, 5.0, 0.0), 0.6);
     let whole = left_out_of(&[square(Vec3::ZERO, 1.0), above.clone()]);
-    assert_eq!(whole, [true, true, false, false]);
+    assert_eq!(whole, [true, true, false, false, false, false]);
+    // Its shadow falls on nothing.
+    let floor_itself = left_out_of(&[square(Vec3::new(0.0, -5.0, 0.0), 1.0)]);
+    assert!(!floor_itself.contains(&true), "{floor_itself:?}");
     // All but one of a strip's triangles are in shadow, but then a side across it comes in place of two short ones.
     let strip = [[-1.0, 0.0], [0.0, 0.9], [9.0, 0.0], [10.0, 0.9]];
     let at = |i: usize, z: f32| Vec3::new(strip[i][0], 0.0, z * (0.5 + strip[i][1]));
