@@ -3,13 +3,14 @@
 #include "shared/fullscreen.wgsl"
 #include "shared/pixel.wgsl"
 
-@group(0) @binding(0) var<storage, read> moved_depth: array<f32>;
+@group(0) @binding(0) var<storage, read> surfaces: array<u32>;
+@group(0) @binding(1) var<storage, read> moved_depths: array<f32>;
 
 @fragment
 fn edge_depth(@builtin(position) at: vec4<f32>) -> @builtin(frag_depth) f32 {
-    let depth = moved_depth[pixel_index(at)];
-    if depth > 1.0 {
+    let pixel = pixel_index(at);
+    if (surfaces[pixel] & IS_MOVED) == 0u {
         discard;
     }
-    return depth;
+    return moved_depths[pixel];
 }

@@ -4,11 +4,7 @@
 
 // The shadow mask, four pixels a word.
 @group(0) @binding(0) var<storage, read> shadow_mask: array<u32>;
-// See visible_triangles.wgsl.
-@group(0) @binding(1) var<storage, read> shading: array<u32>;
-
-// What visible_triangles.wgsl has where there is nothing.
-const NOTHING: u32 = 0x80008000u;
+@group(0) @binding(1) var<storage, read> surfaces: array<u32>;
 
 const BACKGROUND = vec3<f32>(0.62, 0.70, 0.78);
 const CLAY = vec3<f32>(0.78, 0.75, 0.70);
@@ -19,11 +15,11 @@ const SUN = vec3<f32>(0.58, 0.56, 0.50);
 @fragment
 fn shade(@builtin(position) at: vec4<f32>) -> @location(0) vec4<f32> {
     let pixel = pixel_index(at);
-    let packed = shading[pixel];
-    let terms = unpack2x16snorm(packed);
+    let surface = surfaces[pixel];
+    let terms = unpack2x16snorm(surface);
     let lit = 1.0 - unpack4x8unorm(shadow_mask[pixel / 4u] >> (8u * (pixel % 4u))).x;
     let sky = mix(SOIL, SKY, 0.5 + 0.5 * terms.x);
     // Near enough to a screen's curve, and much faster than a power.
     let colour = sqrt(CLAY * (sky + SUN * (lit * max(terms.y, 0.0))));
-    return vec4<f32>(select(colour, BACKGROUND, packed == NOTHING), 1.0);
+    return vec4<f32>(select(colour, BACKGROUND, surface == NO_SURFACE), 1.0);
 }

@@ -20,10 +20,9 @@
 @group(1) @binding(0) var<storage, read> positions: array<vec4<f32>>;
 @group(1) @binding(1) var<storage, read> indices: array<u32>;
 @group(2) @binding(0) var<storage, read> triangle_ids: array<u32>;
-// That of a lit side whose own edges leave it no other, else UNMOVED.
-@group(2) @binding(1) var<storage, read_write> moved_depths: array<f32>;
-// How far the normal points up, and the cosine of the light's angle; or BACKGROUND.
-@group(2) @binding(2) var<storage, read_write> shading: array<u32>;
+@group(2) @binding(1) var<storage, read_write> surfaces: array<u32>;
+// Where a surface is to be moved.
+@group(2) @binding(2) var<storage, read_write> moved_depths: array<f32>;
 
 // More than any depth: it stays as it is.
 const UNMOVED: f32 = 2.0;
@@ -103,17 +102,13 @@ fn moved_depth(sight: Sight, surface: Crossing, a: vec3<f32>, b: vec3<f32>, c: v
     return depth_at(w);
 }
 
-// What no two numbers are packed to.
-const BACKGROUND: u32 = 0x80008000u;
-
 // The mask: 1 on dark sides.
 @fragment
 fn visible_triangles(@builtin(position) at: vec4<f32>) -> @location(0) vec4<f32> {
     let pixel = pixel_index(at);
     let id = triangle_ids[pixel];
     if id == 0u {
-        moved_depths[pixel] = UNMOVED;
-        shading[pixel] = BACKGROUND;
+        surfaces[pixel] = NO_SURFACE;
         return vec4<f32>(0.0);
     }
     let first = 3u * (id - 1u);
@@ -136,7 +131,11 @@ fn visible_triangles(@builtin(position) at: vec4<f32>) -> @location(0) vec4<f32>
     let towards_eye = select(scaled, -scaled, surface.along_normal) * inverseSqrt(dot(scaled, scaled));
     let to_light = frame.light.xyz - (frame.eye.xyz + sight.ray * surface.w) * frame.light.w;
     let cosine = dot(towards_eye, to_light) * inverseSqrt(dot(to_light, to_light));
-    shading[pixel] = pack2x16snorm(vec2<f32>(towards_eye.y, cosine));
-    moved_depths[pixel] = depth;
+    var surface_word = pack2x16snorm(vec2<f32>(towards_eye.y, cosine)) & ~IS_MOVED;
+    if depth != UNMOVED {
+        surface_word |= IS_MOVED;
+        moved_depths[pixel] = depth;
+    }
+    surfaces[pixel] = surface_word;
     return vec4<f32>(select(0.0, 1.0, sides < 0));
 }

@@ -15,10 +15,10 @@ pub(super) struct PixelBuffers {
     triangle_ids: wgpu::Buffer,
     /// A copy of [`mask`](super::Targets::mask).
     mask: wgpu::Buffer,
-    /// Depth beside edges, see visible_triangles.wgsl.
-    moved_depth: wgpu::Buffer,
-    /// What shading knows of a surface, see visible_triangles.wgsl.
-    shading: wgpu::Buffer,
+    /// See pixel.wgsl.
+    surfaces: wgpu::Buffer,
+    /// Depth beside edges, where it is to be moved: see visible_triangles.wgsl.
+    moved_depths: wgpu::Buffer,
 }
 
 impl PixelBuffers {
@@ -37,8 +37,8 @@ impl PixelBuffers {
             row_px,
             triangle_ids: buffer("the triangle numbers of a picture", 4)?,
             mask: buffer("a copy of the shadow mask", 1)?,
-            moved_depth: buffer("the moved depths of a picture", 4)?,
-            shading: buffer("the angles of a picture", 4)?,
+            surfaces: buffer("the surfaces of a picture", 4)?,
+            moved_depths: buffer("the moved depths of a picture", 4)?,
         })
     }
 
@@ -79,29 +79,29 @@ impl PixelBuffers {
         encoder.copy_texture_to_buffer(from.as_image_copy(), to, from.size());
     }
 
-    /// Triangle numbers to be read, moved depths and shading to be written.
+    /// Triangle numbers to be read, surfaces and moved depths to be written.
     pub(super) fn for_visible_triangles(
         &self,
         device: &wgpu::Device,
     ) -> (wgpu::BindGroupLayout, wgpu::BindGroup) {
-        let buffers = [&self.triangle_ids, &self.moved_depth, &self.shading];
+        let buffers = [&self.triangle_ids, &self.surfaces, &self.moved_depths];
         bound(device, [true, false, false], buffers)
     }
 
-    /// Moved depths to be read.
+    /// Surfaces and moved depths to be read.
     pub(super) fn for_edge_depth(
         &self,
         device: &wgpu::Device,
     ) -> (wgpu::BindGroupLayout, wgpu::BindGroup) {
-        bound(device, [true], [&self.moved_depth])
+        bound(device, [true; 2], [&self.surfaces, &self.moved_depths])
     }
 
-    /// The mask and shading to be read.
+    /// The mask and surfaces to be read.
     pub(super) fn for_shade(
         &self,
         device: &wgpu::Device,
     ) -> (wgpu::BindGroupLayout, wgpu::BindGroup) {
-        bound(device, [true; 2], [&self.mask, &self.shading])
+        bound(device, [true; 2], [&self.mask, &self.surfaces])
     }
 }
 
