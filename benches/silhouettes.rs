@@ -10,20 +10,26 @@ use svbench::geometry::silhouette::{
     BruteForce, HEXTREE_DEPTH, Hextree, PlaneTree, SilhouetteEdge,
 };
 use svbench::geometry::{EdgeTriangles, Topology};
+use svbench::scene::Mesh;
 use svbench::scene::sphere_grid::SphereGrid;
 
 const LIGHT: Vec4 = Vec4::new(8.0, 45.0, 12.0, 1.0);
+
+/// The grid of table 1 with so many slices a sphere.
+fn grid(slices: u32) -> Option<Mesh> {
+    let grid = SphereGrid {
+        rows: 10,
+        columns: 10,
+        slices,
+    };
+    grid.mesh().ok()
+}
 
 fn extraction(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("silhouette");
     group.sample_size(10);
     for slices in [18, 60, 104] {
-        let grid = SphereGrid {
-            rows: 10,
-            columns: 10,
-            slices,
-        };
-        let Ok(mesh) = grid.mesh() else { continue };
+        let Some(mesh) = grid(slices) else { continue };
         let topology = Topology::build(&mesh);
         let triangles = mesh.triangles.len();
         let mut brute_force = BruteForce::build(&mesh, &topology);
@@ -55,12 +61,7 @@ fn occluded_casters(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("occluded casters");
     group.sample_size(10);
     for slices in [18, 104] {
-        let grid = SphereGrid {
-            rows: 10,
-            columns: 10,
-            slices,
-        };
-        let Ok(mesh) = grid.mesh() else { continue };
+        let Some(mesh) = grid(slices) else { continue };
         let topology = Topology::build(&mesh);
         let triangles = EdgeTriangles::build(&mesh, &topology);
         let are_closed = triangles.closed_casters(&mesh, &topology);
@@ -74,12 +75,7 @@ fn occluded_casters(criterion: &mut Criterion) {
 
 /// As a frame has it: the light has moved, the caches are full of other things, and the cores sleep.
 fn extraction_in_a_frame(criterion: &mut Criterion) {
-    let grid = SphereGrid {
-        rows: 10,
-        columns: 10,
-        slices: 104,
-    };
-    let Ok(mesh) = grid.mesh() else { return };
+    let Some(mesh) = grid(104) else { return };
     let topology = Topology::build(&mesh);
     let mut group = criterion.benchmark_group("silhouette in a frame");
     group.sample_size(10);

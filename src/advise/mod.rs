@@ -11,7 +11,7 @@ use crate::gpu::{FrameTimer, Gpu};
 use crate::judge::{DeviceScene, NoPicture, ReadyMethod, Verifier};
 use crate::methods::{Casters, Registry};
 use crate::reference::ReferenceCache;
-use crate::scene::{Light, Scene};
+use crate::scene::Scene;
 use overdraw::SideQuads;
 use std::rc::Rc;
 
@@ -242,10 +242,7 @@ fn shape(scene: &Scene, casters: &Rc<Casters>, times_s: &[f64], size_px: (u32, u
         casters.open_edges(),
         casters.are_closed(),
     );
-    let left_out = |light: Light| {
-        let left = casters.unoccluded(light.place);
-        mesh.triangles.len() - left.mesh.triangles.len()
-    };
+    let left_out = |left: Rc<Casters>| mesh.triangles.len() - left.mesh.triangles.len();
     let closed_sizes = mesh.casters().zip(&**closed).filter(|(_, closed)| **closed);
     let closed_sizes: Vec<_> = closed_sizes
         .map(|(object, _)| object.triangles.len())
@@ -265,7 +262,7 @@ fn shape(scene: &Scene, casters: &Rc<Casters>, times_s: &[f64], size_px: (u32, u
         objects: mesh.caster_object_count(),
         closed_objects: closed_sizes.len(),
         closed_triangles: closed_sizes.iter().sum(),
-        left_out: scene.flight.light.standing_still().map(left_out),
+        left_out: casters.unoccluded().map(left_out),
         edges: topology.counts(),
         open_edges: (0..closed.len()).map(|caster| open.of(caster).len()).sum(),
         overdraw,

@@ -10,7 +10,7 @@ use glam::{DVec3, Vec4};
 
 /// Distances are taken to be uncertain by this part of the largest coordinate: vertices and matrices
 /// are rounded to 24 bits several times on their way to the screen.
-const MARGIN: f64 = 1e-5;
+pub(super) const MARGIN: f64 = 1e-5;
 
 /// An axis whose cosine with the direction of a light at infinity is smaller is taken to be across it.
 const ACROSS: f64 = 1e-12;

@@ -19,17 +19,20 @@ pub struct Casters {
     are_closed: OnceCell<Rc<[bool]>>,
     /// `None` within if no triangle is left out.
     unoccluded: OnceCell<Option<Rc<Self>>>,
-    /// The light that the others were found for, where some triangles were left out.
-    light: Option<Vec4>,
+    /// The scene's light, if it stands still.
+    still_light: Option<Vec4>,
+    /// Whether triangles are left out that another light may reach.
+    are_for_still_light: bool,
 }
 
 impl Casters {
     /// All of a scene's.
     pub fn of(scene: &Scene) -> Self {
-        Self::new(Arc::clone(&scene.mesh), None)
+        let light = scene.flight.light.standing_still();
+        Self::new(Arc::clone(&scene.mesh), light.map(|light| light.place))
     }
 
-    fn new(mesh: Arc<Mesh>, light: Option<Vec4>) -> Self {
+    fn new(mesh: Arc<Mesh>, still_light: Option<Vec4>) -> Self {
         Self {
             mesh,
             topology: OnceCell::new(),
@@ -37,7 +40,8 @@ impl Casters {
             open_edges: OnceCell::new(),
             are_closed: OnceCell::new(),
             unoccluded: OnceCell::new(),
-            light,
+            still_light,
+            are_for_still_light: false,
         }
     }
 
@@ -80,25 +84,30 @@ impl Casters {
         self.are_closed.get_or_init(find)
     }
 
-    /// Those that may be lit in part, under a light that stands still, see [`occluded`].
-    pub fn unoccluded(self: &Rc<Self>, light: Vec4) -> Rc<Self> {
+    /// Those that may be lit in part, see [`occluded`]; `None` if the light does not stand still.
+    pub fn unoccluded(self: &Rc<Self>) -> Option<Rc<Self>> {
+        let light = self.still_light?;
         let find = || {
             let of = (&*self.mesh, &**self.topology(), &**self.edge_triangles());
             let occluded = occluded::left_out(light, of, self.are_closed());
             if !occluded.contains(&true) {
                 return None;
             }
-            let casters = Self::new(Arc::new(without(&self.mesh, &occluded)), Some(light));
+            let casters = Self {
+                are_for_still_light: true,
+                ..Self::new(Arc::new(without(&self.mesh, &occluded)), Some(light))
+            };
             // It is the first surface on the way from the light that must face it, and that is never left out.
             let _ = casters.are_closed.set(Rc::clone(self.are_closed()));
             Some(Rc::new(casters))
         };
-        Rc::clone(self.unoccluded.get_or_init(find).as_ref().unwrap_or(self))
+        let found = self.unoccluded.get_or_init(find).as_ref();
+        Some(Rc::clone(found.unwrap_or(self)))
     }
 
     /// Whether they cast all shadows of the scene under this light.
     pub(super) fn are_for(&self, light: Vec4) -> bool {
-        self.light.is_none_or(|own| own == light)
+        !self.are_for_still_light || self.still_light == Some(light)
     }
 }
 

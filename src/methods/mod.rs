@@ -149,15 +149,13 @@ impl<'a> PrepareContext<'a> {
     /// # Errors
     /// When the light does not stand still.
     fn without_occluded(&self) -> Result<Self, MethodError> {
-        let light = self.scene.flight.light.standing_still();
-        let light = light.ok_or_else(light_moves)?;
+        let casters = self.casters.unoccluded().ok_or_else(light_moves)?;
         let Self {
             gpu,
             scene,
             resources,
             ..
         } = *self;
-        let casters = self.casters.unoccluded(light.place);
         Ok(Self::sharing(gpu, scene, resources, &casters))
     }
 

@@ -1,7 +1,7 @@
 //! Triangles that the light does not reach at all: their shadow volumes lie in those of others.
 //!
 //! Whatever is behind a triangle that is wholly in shadow is in shadow without it, so it need not cast. Of all that lie
-//! on a ray from the light the first is never left out. (Lloyd et al. 2004, section 4, leave out casters in the shadow of
+//! on a ray from the light the first is never left out. (Lloyd et al. 2004 leave out casters in the shadow of
 //! others as a picture from the light shows them, to its resolution; here each triangle is proven, and one by one rather than
 //! by objects.)
 //!
@@ -36,7 +36,7 @@ pub fn left_out(
     are_closed: &[bool],
 ) -> Vec<bool> {
     let sides = Sides::new(light, of, are_closed);
-    let mut occluded = occluded(light, of, sides.long_ones());
+    let mut occluded = occluded(light, of, sides.at_sides());
     sides.give_back(&mut occluded);
     occluded
 }
@@ -138,7 +138,7 @@ impl<'a> Sides<'a> {
     }
 
     /// The triangles of edges with side quads: where one of them is not left out, nothing is gained.
-    fn long_ones(&self) -> Vec<u32> {
+    fn at_sides(&self) -> Vec<u32> {
         let of_caster = |(edges, is_closed): (Range<usize>, bool)| {
             let edges = self.topology.edges[edges].iter();
             edges.filter(move |edge| self.quads(**edge, is_closed, |_| true) != 0)

@@ -1,6 +1,7 @@
 //! Proofs that a triangle is occluded.
 
 use super::cone::Cone;
+use crate::geometry::near_volume::MARGIN;
 use crate::geometry::ray::Ray;
 use crate::geometry::{EdgeTriangles, Topology, box_tree};
 use crate::scene::Mesh;
@@ -11,10 +12,6 @@ use obvhs::bvh2::node::Bvh2Node;
 use obvhs::fast_stack;
 use obvhs::ray::{Ray as BoxRay, RayHit};
 use rayon::prelude::*;
-
-/// Distances are taken to be uncertain by this part of the largest coordinate, as in
-/// [`NearVolume`](crate::geometry::NearVolume).
-const MARGIN: f64 = 1e-5;
 
 /// Beyond an edge: not just one triangle, wound the same way.
 const NONE: u32 = u32::MAX;
