@@ -4,6 +4,7 @@
 //! A [`ShadowMethod`] is a method with its parameters, as a configuration names it; a
 //! [`PreparedMethod`] is that method made ready for one scene on one device.
 
+mod capping;
 mod casters;
 mod cube_shadow_map;
 mod declare;
@@ -20,6 +21,7 @@ mod shadow_map;
 mod side_quad;
 mod silhouette;
 mod silhouette_cpu;
+mod silhouette_cs;
 mod silhouette_gs;
 mod silhouette_ts;
 mod triangle_gs;

@@ -34,15 +34,54 @@ enum Count {
     Everywhere,
 }
 
-/// Which corners of an element buffer are the faces of each way of counting: three corners a triangle, counter-clockwise
-/// seen from outside of the volume.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
+/// The faces of each way of counting, as corners of an element buffer: three corners a triangle, counter-clockwise seen from
+/// outside of the volume.
+#[derive(Debug, Clone, PartialEq)]
 pub(super) struct Corners {
-    pub(super) depth_passes: Range<u32>,
-    pub(super) depth_fails: Range<u32>,
-    pub(super) everywhere: Range<u32>,
+    pub(super) depth_passes: FaceDraws,
+    pub(super) depth_fails: FaceDraws,
+    pub(super) everywhere: FaceDraws,
     /// Counted after the others are in the mask, where depth passes.
-    pub(super) of_open_edges: Range<u32>,
+    pub(super) of_open_edges: FaceDraws,
+}
+
+/// How faces are drawn.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum FaceDraws {
+    /// These corners, in a call.
+    Corners(Range<u32>),
+    /// As the device has counted them: these draws of a buffer, a call each.
+    Indirect(wgpu::Buffer, Range<u32>),
+}
+
+/// Bytes of an indirect draw: five numbers of 32 bits.
+pub(super) const INDIRECT_BYTES: u64 = 20;
+
+impl FaceDraws {
+    /// No face.
+    pub(super) const NONE: Self = Self::Corners(0..0);
+
+    fn is_empty(&self) -> bool {
+        match self {
+            Self::Corners(range) | Self::Indirect(_, range) => range.is_empty(),
+        }
+    }
+
+    /// Gives the number of draw calls.
+    fn record(&self, pass: &mut wgpu::RenderPass<'_>) -> u32 {
+        match self {
+            Self::Corners(corners) => {
+                pass.draw_indexed(corners.clone(), 0, 0..1);
+                1
+            }
+            Self::Indirect(draws, range) => {
+                for draw in range.clone() {
+                    pass.draw_indexed_indirect(draws, INDIRECT_BYTES * u64::from(draw));
+                }
+                range.len() as u32
+            }
+        }
+    }
 }
 
 /// The pipelines.
@@ -133,7 +172,7 @@ fn draw(
     stage: &mut Stage<'_, '_>,
     resources: &FrameResources,
     elements: &wgpu::Buffer,
-    draws: &[(&wgpu::RenderPipeline, &Range<u32>)],
+    draws: &[(&wgpu::RenderPipeline, &FaceDraws)],
 ) {
     let mut pass = stage
         .encoder()
@@ -157,12 +196,9 @@ fn draw(
     pass.set_index_buffer(elements.slice(..), wgpu::IndexFormat::Uint32);
     pass.set_stencil_reference(0);
     let mut draw_calls = 0;
-    for &(pipeline, corners) in draws {
-        if !corners.is_empty() {
-            pass.set_pipeline(pipeline);
-            pass.draw_indexed(corners.clone(), 0, 0..1);
-            draw_calls += 1;
-        }
+    for (pipeline, faces) in draws.iter().filter(|(_, faces)| !faces.is_empty()) {
+        pass.set_pipeline(pipeline);
+        draw_calls += faces.record(&mut pass);
     }
     drop(pass);
     stage.count_draws(draw_calls);

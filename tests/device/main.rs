@@ -16,5 +16,6 @@ mod moving_light;
 mod plan;
 mod regression;
 mod silhouette_cpu;
+mod silhouette_cs;
 mod stability;
 mod study;

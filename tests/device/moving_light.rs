@@ -56,6 +56,7 @@ fn every_moment_is_drawn_and_judged_by_its_own_light() {
             "triangle_gs,counting=auto",
             "silhouette_ts",
             "silhouette_cpu",
+            "silhouette_cs",
             "silhouette_cpu,counting=auto,keep=true",
             "shadow_map,resolution=1024",
             "cube_shadow_map,resolution=1024",

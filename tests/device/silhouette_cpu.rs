@@ -31,7 +31,12 @@ const DRAWN_OTHERWISE: [&str; 7] = [
 ];
 
 /// Mask and error of the frames of a scene's flight, drawn one after the other.
-fn draw(gpu: &Gpu, scene: &Scene, method: &str, frames: usize) -> Vec<(Vec<u8>, MaskError)> {
+pub(crate) fn draw(
+    gpu: &Gpu,
+    scene: &Scene,
+    method: &str,
+    frames: usize,
+) -> Vec<(Vec<u8>, MaskError)> {
     let stage = FrameResources::new(gpu, scene, SIZE_PX.0, SIZE_PX.1).unwrap();
     let context = PrepareContext::new(gpu, scene, &stage);
     let cache = ReferenceCache::open(None);
@@ -52,7 +57,7 @@ fn draw(gpu: &Gpu, scene: &Scene, method: &str, frames: usize) -> Vec<(Vec<u8>, 
         .collect()
 }
 
-fn scenes() -> Vec<Scene> {
+pub(crate) fn scenes() -> Vec<Scene> {
     // Lights outside and inside of closed objects and of open ones, on a vertex, and everywhere at random.
     let causes = [
         ("light_in_mesh", 0.2),
@@ -101,7 +106,7 @@ fn however_volumes_are_made_the_mask_is_right() {
 }
 
 /// A tetrahedron over the ground, and a light on its way through a face's plane, along it, through an edge and a vertex.
-fn light_through_elements() -> Scene {
+pub(crate) fn light_through_elements() -> Scene {
     let [a, b, c, d] = [
         Vec3::new(-1.0, 0.5, 0.75),
         Vec3::new(1.0, 0.5, 0.5),
@@ -148,6 +153,8 @@ fn a_light_may_pass_through_vertex_edge_and_face_plane() {
         "silhouette_cpu",
         "silhouette_cpu,counting=auto,keep=true",
         "silhouette_cpu,extraction=hextree,caps=triangles",
+        "silhouette_cs",
+        "silhouette_cs,extraction=facings,counting=auto",
         "silhouette_ts",
         "silhouette_gs",
         "triangle_gs",

@@ -9,11 +9,12 @@ use svbench::stress::{Finding, find_cause, random};
 
 pub(crate) const SIZE_PX: (u32, u32) = (160, 120);
 /// What promises to be exact.
-const ROBUST: [&str; 7] = [
+const ROBUST: [&str; 8] = [
     "silhouette_ts",
     "silhouette_gs",
     "silhouette_gs,counting=auto",
     "silhouette_cpu",
+    "silhouette_cs",
     "silhouette_cpu,counting=auto",
     "triangle_ts",
     "triangle_gs",
@@ -85,7 +86,7 @@ fn a_counter_of_eight_bits_is_zero_again_at_256() {
     for method in ROBUST {
         // An open sheet is counted once, a closed shell twice: on its way in and on its way out. Where only triangles
         // that face the light cast, once.
-        let casts_once = method.starts_with("silhouette_cpu");
+        let casts_once = method.starts_with("silhouette_c");
         let shells = if casts_once { 256.0 } else { 128.0 };
         for (cause, wraps_at) in [("stacked_sheets", 256.0), ("nested_shells", shells)] {
             let at = |count: f64| artifacts(&judge, method, cause, count);

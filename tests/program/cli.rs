@@ -479,6 +479,7 @@ fn lists_say_what_can_run_here() {
             "silhouette_ts",
             "silhouette_gs",
             "silhouette_cpu",
+            "silhouette_cs",
             "triangle_ts",
             "triangle_gs",
             "shadow_map",

@@ -36,6 +36,11 @@ impl DualLight {
         }
     }
 
+    /// Its components, and those by which rounding grows, see [`Doubts`].
+    pub(super) fn components(&self) -> ([f32; 4], [f32; 2]) {
+        (self.light, self.size)
+    }
+
     pub(super) fn vector(&self) -> Vec4 {
         Vec4::from_array(self.light)
     }

@@ -6,6 +6,7 @@
 //! 2006.
 
 mod brute_force;
+mod clusters;
 mod edge_block;
 mod facings;
 mod hextree;
@@ -21,6 +22,7 @@ use glam::Vec4;
 use rayon::prelude::*;
 
 pub use brute_force::BruteForce;
+pub use clusters::{ClusterBox, ClusterLight, EdgeClusters};
 pub use facings::Facings;
 pub use hextree::{DEPTH as HEXTREE_DEPTH, Hextree};
 pub use plane_tree::PlaneTree;

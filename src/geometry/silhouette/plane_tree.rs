@@ -34,30 +34,21 @@ pub struct PlaneTree {
 
 /// An edge while the tree is built.
 #[derive(Clone, Copy)]
-struct Item {
+pub(super) struct Item {
     centre: [f32; 4],
-    edge: u32,
+    pub(super) edge: u32,
 }
 
 impl PlaneTree {
     /// Builds the tree, on all cores.
     pub fn build(mesh: &Mesh, topology: &Topology) -> Self {
-        let origin = Origin::of(mesh);
-        let of_edge = |edge: &Edge| origin.of_edge(mesh, topology, *edge);
-        let planes: Vec<EdgePlanes> = topology.edges.par_iter().map(of_edge).collect();
-        let (mut items, mut boundary, mut always) = (Vec::new(), Vec::new(), Vec::new());
-        items.reserve(planes.len());
-        for (planes, edge) in planes.iter().zip(0..) {
-            match planes.kind {
-                EdgeKind::Pair | EdgeKind::Box => items.push(Item {
-                    centre: origin.centre(planes).to_array(),
-                    edge,
-                }),
-                EdgeKind::Boundary => boundary.push(edge),
-                EdgeKind::Unknown => always.push(edge),
-            }
-        }
-        order(&mut items);
+        let PlaneOrder {
+            origin,
+            planes,
+            items,
+            boundary,
+            always,
+        } = PlaneOrder::new(mesh, topology);
         let of_edges = |edges: &[u32]| {
             let planes_of = |&edge: &u32| (edge, &planes[edge as usize]);
             EdgeBlock::new(edges.iter().map(planes_of))
@@ -157,6 +148,52 @@ impl PlaneTree {
         blocks
             .filter_map(|&block| self.blocks.get(block as usize))
             .collect()
+    }
+}
+
+/// The edges of a mesh, ordered by the planes of their triangles.
+pub(super) struct PlaneOrder {
+    pub(super) origin: Origin,
+    /// Of each edge.
+    pub(super) planes: Vec<EdgePlanes>,
+    /// Edges with a box around their planes, near in dual space where they are near here.
+    pub(super) items: Vec<Item>,
+    /// See [`PlaneTree`].
+    boundary: Vec<u32>,
+    always: Vec<u32>,
+}
+
+impl PlaneOrder {
+    /// Finds it, on all cores.
+    pub(super) fn new(mesh: &Mesh, topology: &Topology) -> Self {
+        let origin = Origin::of(mesh);
+        let of_edge = |edge: &Edge| origin.of_edge(mesh, topology, *edge);
+        let planes: Vec<EdgePlanes> = topology.edges.par_iter().map(of_edge).collect();
+        let (mut items, mut boundary, mut always) = (Vec::new(), Vec::new(), Vec::new());
+        items.reserve(planes.len());
+        for (planes, edge) in planes.iter().zip(0..) {
+            match planes.kind {
+                EdgeKind::Pair | EdgeKind::Box => items.push(Item {
+                    centre: origin.centre(planes).to_array(),
+                    edge,
+                }),
+                EdgeKind::Boundary => boundary.push(edge),
+                EdgeKind::Unknown => always.push(edge),
+            }
+        }
+        order(&mut items);
+        Self {
+            origin,
+            planes,
+            items,
+            boundary,
+            always,
+        }
+    }
+
+    /// The edges without such a box.
+    pub(super) fn others(&self) -> impl Iterator<Item = u32> {
+        self.boundary.iter().chain(&self.always).copied()
     }
 }
 

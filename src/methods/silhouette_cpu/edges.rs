@@ -2,7 +2,7 @@
 
 use crate::geometry::open_edges::is_irregular;
 use crate::geometry::silhouette::SilhouetteEdge;
-use crate::geometry::{DisjointSets, EdgeTriangles, Topology, facing};
+use crate::geometry::{EdgeTriangles, Topology, facing};
 use crate::methods::side_quad::DirectedEdge;
 use crate::scene::Mesh;
 use glam::Vec4;
@@ -104,15 +104,4 @@ impl CasterEdges {
         });
         cast.sum()
     }
-}
-
-/// For each vertex one of the same connected part of its object: where fans of that part meet.
-pub(super) fn fan_apexes(mesh: &Mesh, topology: &Topology) -> Vec<u32> {
-    let mut parts = DisjointSets::new(mesh.positions.len() as u32);
-    for edge in &topology.edges {
-        parts.join(edge.a, edge.b);
-    }
-    (0..mesh.positions.len() as u32)
-        .map(|vertex| parts.smallest(vertex))
-        .collect()
 }

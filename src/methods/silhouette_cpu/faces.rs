@@ -2,8 +2,8 @@
 //!
 //! Every face is counter-clockwise seen from outside of its volume.
 
-use super::plan::{CappedPlan, Capping, Caps};
 use crate::geometry::Casting;
+use crate::methods::capping::{CappedPlan, Capping, Caps};
 use crate::methods::portable_volumes::{far, near};
 use crate::methods::side_quad::DirectedEdge;
 use crate::methods::volume_parameters::FrontCap;

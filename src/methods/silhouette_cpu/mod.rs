@@ -4,10 +4,10 @@
 mod edges;
 mod extraction;
 mod faces;
-mod plan;
 
+use super::capping::{CappedPlan, Capping, Caps, fan_apexes};
 use super::plan::Planner;
-use super::portable_volumes::{Corners, PortableVolumes};
+use super::portable_volumes::{Corners, FaceDraws, PortableVolumes};
 use super::volume_parameters::{CASTING_WORDS, Plan, VolumeParameters, refuse_both};
 use super::volumes::{CHOOSE_STAGE, OPEN_EDGES_STAGE, RESOLVE_REST_STAGE, STENCIL, VOLUMES_STAGE};
 use super::{MethodError, MethodInfo, PrepareContext, ShadowMethod, volume_limits};
@@ -17,11 +17,10 @@ use crate::geometry::{Casting, Determinism, OpenEdges, Topology};
 use crate::gpu::{Gpu, Stage};
 use crate::parameters;
 use crate::scene::Mesh;
-use edges::{CasterEdges, fan_apexes};
+use edges::CasterEdges;
 use extraction::{Extraction, Extractor};
 use faces::Faces;
 use glam::Vec4;
-use plan::{CappedPlan, Capping, Caps};
 use std::rc::Rc;
 use std::sync::Arc;
 
@@ -315,7 +314,7 @@ impl CpuVolumes {
             *range = first as u32..(first + list.len()) as u32;
             first += list.len();
         }
-        let [depth_passes, depth_fails, everywhere, of_open_edges] = ranges;
+        let [depth_passes, depth_fails, everywhere, of_open_edges] = ranges.map(FaceDraws::Corners);
         Ok(Corners {
             depth_passes,
             depth_fails,

@@ -1,9 +1,10 @@
 //! How the caps of each caster's volume are drawn in a frame.
 
+use super::plan::CasterPlan;
+use super::volume_parameters::FrontCap;
 use crate::frame::FrameView;
-use crate::geometry::{Bounds, EndPlane};
-use crate::methods::plan::CasterPlan;
-use crate::methods::volume_parameters::FrontCap;
+use crate::geometry::{Bounds, DisjointSets, EndPlane, Topology};
+use crate::scene::Mesh;
 use serde::{Deserialize, Serialize};
 
 /// What caps are made of.
@@ -82,4 +83,15 @@ impl CappedPlan {
         let has_caps = self.caster.is_drawn && !self.caster.z_pass;
         has_caps && !(self.fan_in_front && self.fan_behind)
     }
+}
+
+/// For each vertex one of the same connected part of its object: where fans of that part meet.
+pub(super) fn fan_apexes(mesh: &Mesh, topology: &Topology) -> Vec<u32> {
+    let mut parts = DisjointSets::new(mesh.positions.len() as u32);
+    for edge in &topology.edges {
+        parts.join(edge.a, edge.b);
+    }
+    (0..mesh.positions.len() as u32)
+        .map(|vertex| parts.smallest(vertex))
+        .collect()
 }

@@ -1,0 +1,37 @@
+// Where the corners of each block go: one list after the other, each in the order of blocks.
+
+// Of each block the number of corners in each list, then where these begin. The last entry is no block's.
+@group(1) @binding(0) var<storage, read_write> corners: array<vec4<u32>>;
+
+const PARTS: u32 = 256u;
+
+var<workgroup> of_parts: array<vec4<u32>, PARTS>;
+
+@compute @workgroup_size(PARTS)
+fn sum_blocks(@builtin(local_invocation_index) part: u32) {
+    let blocks = arrayLength(&corners) - 1u;
+    let each = (blocks + PARTS - 1u) / PARTS;
+    let first = min(part * each, blocks);
+    let end = min(first + each, blocks);
+    var sum = vec4<u32>(0u);
+    for (var block = first; block < end; block++) {
+        sum += corners[block];
+    }
+    of_parts[part] = sum;
+    workgroupBarrier();
+    var before = vec4<u32>(0u);
+    var all = vec4<u32>(0u);
+    for (var other = 0u; other < PARTS; other++) {
+        all += of_parts[other];
+        before += select(vec4<u32>(0u), of_parts[other], other < part);
+    }
+    var place = before + vec4<u32>(0u, all.x, all.x + all.y, all.x + all.y + all.z);
+    for (var block = first; block < end; block++) {
+        let count = corners[block];
+        corners[block] = place;
+        place += count;
+    }
+    if part == PARTS - 1u {
+        corners[blocks] = place;
+    }
+}

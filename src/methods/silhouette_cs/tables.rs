@@ -1,0 +1,151 @@
+//! What compute shaders know of the casters.
+
+use super::Extraction;
+use super::blocks::Blocks;
+use crate::geometry::silhouette::SilhouetteEdge;
+use crate::geometry::{EdgeTriangle, Topology};
+use crate::gpu::{DeviceError, Gpu};
+use crate::methods::capping::{Caps, fan_apexes};
+use crate::methods::side_quad::DirectedEdge;
+use crate::methods::{Casters, MethodError, PrepareContext};
+use wgpu::BufferUsages as Usage;
+
+/// Multiplicities are kept in 16 bits.
+const MOST_TRIANGLES: u32 = i16::MAX as u32;
+
+/// Most corners of the faces of an edge for each of its triangles: of a side quad and two triangles of fans, and of a side
+/// of an open edge.
+const CORNERS_A_SIDE: u64 = 6 + 6;
+const CORNERS_OF_OPEN: u64 = 6;
+
+/// Most corners of a triangle's caps.
+const CORNERS_OF_CAPS: u64 = 6;
+
+/// Buffers that do not change from frame to frame, and those that one shader leaves for another.
+pub(super) struct Tables {
+    pub(super) blocks: wgpu::Buffer,
+    pub(super) edges: wgpu::Buffer,
+    pub(super) sides: wgpu::Buffer,
+    pub(super) indices: wgpu::Buffer,
+    pub(super) apexes: wgpu::Buffer,
+    /// A word for each caster.
+    pub(super) plans: wgpu::Buffer,
+    pub(super) facings: wgpu::Buffer,
+    pub(super) multiplicities: wgpu::Buffer,
+    pub(super) corners: wgpu::Buffer,
+    pub(super) elements: wgpu::Buffer,
+    /// Corners that it holds; a multiple of 3.
+    pub(super) corners_a_round: u64,
+    /// How often it must be filled, so that the most corners that there may be come to be drawn.
+    pub(super) rounds: u32,
+}
+
+impl Tables {
+    pub(super) fn new(
+        context: &PrepareContext<'_>,
+        blocks: &Blocks,
+        extraction: Extraction,
+        caps: Caps,
+        most_bytes: u64,
+    ) -> Result<Self, MethodError> {
+        let gpu = context.gpu;
+        let casters = &*context.casters;
+        let (mesh, topology) = (&*casters.mesh, &**casters.topology());
+        check(topology)?;
+        let (edges, sides) = edges_and_sides(casters, extraction);
+        let apexes = match caps {
+            Caps::Fan => fan_apexes(mesh, topology),
+            Caps::Triangles | Caps::FarTriangles => vec![0; mesh.positions.len()],
+        };
+        let open_edges = casters.open_edges();
+        let open: u64 = (0..blocks.of_casters.len() - 1)
+            .flat_map(|caster| open_edges.of(caster))
+            .map(|open| u64::from(open.multiplicity.unsigned_abs()))
+            .sum();
+        let triangles = mesh.triangles.len() as u64;
+        let most_corners = CORNERS_A_SIDE * sides.len() as u64
+            + CORNERS_OF_OPEN * open
+            + CORNERS_OF_CAPS * triangles;
+        let most_bytes = most_bytes.min(most_bytes_of_device(gpu));
+        let corners_a_round = most_corners.min(most_bytes / 12 * 3).max(3);
+        let words = |what: &str, contents: &[u32]| words(gpu, what, contents);
+        let empty = |what: &str, words: u64, usage| {
+            gpu.empty_buffer(what, 4 * words, Usage::STORAGE | usage)
+        };
+        let none = Usage::empty();
+        Ok(Self {
+            blocks: words(
+                "blocks of edges and triangles",
+                bytemuck::cast_slice(&blocks.blocks),
+            )?,
+            edges: words("the edges", bytemuck::cast_slice(&edges))?,
+            sides: words("the triangles of edges", &sides)?,
+            indices: context.indices()?,
+            apexes: words("where fans meet", &apexes)?,
+            plans: empty(
+                "plans of casters",
+                blocks.of_casters.len() as u64,
+                Usage::COPY_DST,
+            )?,
+            facings: empty("the facings of triangles", 2 * triangles.div_ceil(32), none)?,
+            multiplicities: empty("the multiplicities of edges", edges.len() as u64, none)?,
+            corners: empty(
+                "numbers of corners",
+                4 * (blocks.blocks.len() as u64 + 1),
+                none,
+            )?,
+            elements: empty("the faces of shadow volumes", corners_a_round, Usage::INDEX)?,
+            corners_a_round,
+            rounds: most_corners.div_ceil(corners_a_round).max(1) as u32,
+        })
+    }
+}
+
+fn most_bytes_of_device(gpu: &Gpu) -> u64 {
+    let limits = gpu.device.limits();
+    limits
+        .max_buffer_size
+        .min(limits.max_storage_buffer_binding_size)
+}
+
+/// A buffer for shaders to read.
+pub(super) fn words(gpu: &Gpu, what: &str, contents: &[u32]) -> Result<wgpu::Buffer, DeviceError> {
+    gpu.buffer(what, bytemuck::cast_slice(contents), Usage::STORAGE)
+}
+
+fn check(topology: &Topology) -> Result<(), MethodError> {
+    let triangles = topology.edges.iter().map(|edge| edge.opposite_count).max();
+    match triangles {
+        Some(triangles) if triangles > MOST_TRIANGLES => Err(MethodError::Unavailable(format!(
+            "an edge with {triangles} triangles has more than the {MOST_TRIANGLES} that it can count"
+        ))),
+        _ => Ok(()),
+    }
+}
+
+/// The edges with their ends in the vertex order, and their triangles: see count_edges.wgsl.
+fn edges_and_sides(casters: &Casters, extraction: Extraction) -> (Vec<[u32; 4]>, Vec<u32>) {
+    let (mesh, topology) = (&casters.mesh, casters.topology());
+    let triangles = casters.edge_triangles();
+    let mut sides = Vec::with_capacity(topology.opposites.len());
+    let edges = (0..).zip(&topology.edges).map(|(number, edge)| {
+        let found = SilhouetteEdge {
+            edge: number,
+            multiplicity: 1,
+        };
+        let directed = DirectedEdge::new(mesh, topology, found);
+        let is_swapped = directed.multiplicity < 0;
+        let first = sides.len() as u32;
+        let side = |(opposite, own): (&u32, &EdgeTriangle)| {
+            let other = match extraction {
+                Extraction::Clusters => *opposite,
+                Extraction::Facings => own.triangle() as u32,
+            };
+            2 * other + u32::from(own.is_along() == is_swapped)
+        };
+        let opposites = topology.opposites_of(*edge).iter();
+        sides.extend(opposites.zip(triangles.of(*edge)).map(side));
+        [directed.a, directed.b, first, edge.opposite_count]
+    });
+    (edges.collect(), sides)
+}
