@@ -18,11 +18,13 @@ use std::rc::Rc;
 /// What is drawn without a plan, and held against all others.
 pub const FULL: &str = "silhouette_gs";
 
-/// What is measured beside it: exact methods with a plan, and the map that reaches everywhere.
-const CANDIDATES: [&str; 4] = [
+/// What is measured beside it: exact methods with a plan, one with hardly any, and the map that reaches everywhere.
+const CANDIDATES: [&str; 6] = [
+    "silhouette_cpu,counting=auto",
     "silhouette_gs,plan=auto",
     "silhouette_ts,plan=auto",
     "silhouette_cpu,plan=auto",
+    "silhouette_cs,plan=auto",
     "cube_shadow_map",
 ];
 
@@ -71,8 +73,8 @@ pub struct Shape {
 pub struct Measured {
     /// Its name with parameters.
     pub method: String,
-    /// Median shadow time over the moments, or why there is none.
-    pub shadow_ms: Result<f64, String>,
+    /// Shadow time at each moment, or why there is none.
+    pub shadow_ms: Result<Vec<f64>, String>,
     /// Wrong pixels of the verified frames, and those of them away from true boundaries.
     pub wrong_px: u64,
     /// See `wrong_px`.
@@ -100,6 +102,44 @@ pub struct Advice {
     pub measured: Vec<Measured>,
 }
 
+/// Methods whose times differ by less may have changed places by chance.
+const ALIKE: f64 = 1.1;
+
+impl Measured {
+    /// Quartiles of its shadow time.
+    fn quartiles_ms(&self) -> Option<[f64; 3]> {
+        quartiles(self.shadow_ms.clone().ok()?)
+    }
+
+    /// Quartiles of its shadow time in that of another, moment by moment.
+    fn quartiles_of_ratio(&self, other: &Self) -> Option<[f64; 3]> {
+        let (own, others) = (
+            self.shadow_ms.as_ref().ok()?,
+            other.shadow_ms.as_ref().ok()?,
+        );
+        quartiles(
+            own.iter()
+                .zip(others)
+                .map(|(own, other)| own / other)
+                .collect(),
+        )
+    }
+}
+
+/// First, second (the median) and third; `None` of nothing.
+fn quartiles(mut values: Vec<f64>) -> Option<[f64; 3]> {
+    values.sort_by(f64::total_cmp);
+    let last = values.len().checked_sub(1)? as f64;
+    Some([0.25, 0.5, 0.75].map(|part| {
+        let place = part * last;
+        let (below, above) = (
+            values[place.floor() as usize],
+            values[place.ceil() as usize],
+        );
+        below + (above - below) * place.fract()
+    }))
+}
+
 impl Advice {
     /// Whether a method is as right as exact methods are: one artifact pixel a frame at most, or no more than [`FULL`].
     fn is_exact(&self, method: &Measured) -> bool {
@@ -108,11 +148,26 @@ impl Advice {
         method.artifact_px <= of_full.max(self.verified as u64)
     }
 
-    /// The fastest method that is as right as exact methods are.
-    pub fn pick(&self) -> Option<(&Measured, f64)> {
+    /// The fastest of the methods that are as right as exact methods are, and those that are nearly as fast: first those with
+    /// the fewest artifacts, then the fastest.
+    pub fn picks(&self) -> Vec<&Measured> {
+        let median_ms = |method: &&Measured| method.quartiles_ms().map(|[_, median, _]| median);
         let exact = self.measured.iter().filter(|method| self.is_exact(method));
-        let timed = exact.filter_map(|method| Some((method, *method.shadow_ms.as_ref().ok()?)));
-        timed.min_by(|one, other| one.1.total_cmp(&other.1))
+        let mut exact: Vec<_> = exact
+            .filter_map(|method| Some((method, median_ms(&method)?)))
+            .collect();
+        exact.sort_by(|one, other| one.1.total_cmp(&other.1));
+        let Some(&(fastest, _)) = exact.first() else {
+            return Vec::new();
+        };
+        let is_alike = |method: &&Measured| {
+            let ratio = method.quartiles_of_ratio(fastest);
+            ratio.is_some_and(|[_, median, _]| median < ALIKE)
+        };
+        let methods = exact.into_iter().map(|(method, _)| method);
+        let mut picks: Vec<_> = methods.filter(is_alike).collect();
+        picks.sort_by_key(|method| method.artifact_px);
+        picks
     }
 }
 
@@ -195,12 +250,10 @@ impl Candidate {
     }
 
     fn done(self) -> Measured {
-        let mut shadow_ms = self.shadow_ms;
-        shadow_ms.sort_by(f64::total_cmp);
         Measured {
             method: self.name,
             shadow_ms: match self.ready {
-                Ok(_) => Ok(shadow_ms.get(shadow_ms.len() / 2).copied().unwrap_or(0.0)),
+                Ok(_) => Ok(self.shadow_ms),
                 Err(no_picture) => Err(no_picture.reason().to_owned()),
             },
             wrong_px: self.wrong_px,

@@ -7,38 +7,41 @@ use std::fmt::{Display, Formatter, Result};
 /// A saving of less than this part is not worth a word.
 const WORTH_A_WORD: f64 = 1.1;
 
-/// A method that is faster by less may be so by chance.
-const WORTH_THE_CHANGE: f64 = 1.25;
-
 impl Display for Advice {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         writeln!(f, "{}", self.scene)?;
         self.shape.write(f)?;
         let (width, height) = self.size_px;
-        let planned = self
-            .pick()
-            .map(|(pick, _)| pick)
-            .into_iter()
-            .chain(&self.measured);
+        let planned = self.picks().into_iter().chain(&self.measured);
         let mut with_plan = planned.filter(|method| method.method.contains("plan=auto"));
         if let Some((method, drawn)) = with_plan.find_map(|m| Some((&m.method, m.drawn?))) {
-            let frames = self.frames;
             writeln!(
                 f,
-                "\nthe plan of {method}, objects a frame at {frames} moments of the flight"
+                "\nthe plan of {method}: objects a frame, mean of {}",
+                counted(self.frames, "moment")
             )?;
-            write_plan(f, drawn, frames)?;
+            write_plan(f, drawn, self.frames)?;
         }
         writeln!(
             f,
-            "\nmeasured on {} at {width} × {height}: median shadow time of {} frames, with all that is found on the processor; \
-             pixels of {} frames together, against a ray-traced truth\n\
-             {FULL} draws whole volumes, z-fail, with caps; artifacts are wrong pixels away from true boundaries",
-            self.device, self.frames, self.verified
+            "\nmeasured on {} at {width} × {height}\n    \
+             shadow time: median of {}, processor included, without G-buffer and shading; ratio to {FULL} (whole volumes, z-fail, \
+             with caps) frame by frame: median, and the middle half\n    \
+             wrong pixels: mean of {} against a ray-traced truth; artifacts are those away from true boundaries; exact: at most \
+             one artifact a frame, or no more than {FULL}",
+            self.device,
+            counted(self.frames, "frame"),
+            counted(self.verified, "frame")
         )?;
         self.write_measured(f)?;
         writeln!(f, "\n{}", self.advice())
     }
+}
+
+/// So many things.
+fn counted(count: usize, what: &str) -> String {
+    let ending = if count == 1 { "" } else { "s" };
+    format!("{count} {what}{ending}")
 }
 
 impl Shape {
@@ -56,22 +59,28 @@ impl Shape {
         let percent = |part: usize, all: usize| 100.0 * part as f64 / all.max(1) as f64;
         let closed = percent(*closed_triangles, *triangles);
         let all_edges = edges.boundary + edges.manifold + edges.non_manifold;
-        writeln!(f, "    {triangles} triangles of {objects} objects cast")?;
         writeln!(
             f,
-            "    closed: {closed_objects} objects, {closed:.0} % of the triangles"
+            "    {} of {} cast",
+            counted(*triangles, "triangle"),
+            counted(*objects, "object")
+        )?;
+        writeln!(
+            f,
+            "    closed: {}, {closed:.0} % of the triangles",
+            counted(*closed_objects, "object")
         )?;
         match left_out {
             Some(left_out) => writeln!(
                 f,
-                "    occluded: the plan leaves out {left_out} triangles ({:.0} %) that the light never reaches",
+                "    occluded: the plan leaves out {left_out} triangles ({:.0} %) that others hide from the light",
                 percent(*left_out, *triangles)
             )?,
-            None => writeln!(f, "    occluded: not asked, since the light moves")?,
+            None => writeln!(f, "    occluded: none is left out, for the light moves")?,
         }
         writeln!(
             f,
-            "    edges: {} of one triangle, {} of two, {} of more; {:.1} % are open",
+            "    edges: {} of one triangle, {} of two, {} of more; surfaces end at {:.1} % (open edges)",
             edges.boundary,
             edges.manifold,
             edges.non_manifold,
@@ -84,8 +93,15 @@ impl Shape {
         } = overdraw;
         writeln!(
             f,
-            "    side quads of whole volumes cover a pixel {infinity:.1} times if they reach to infinity, {scene:.1} times if all \
-             are cut on one plane beside the scene (as without a plan), {object:.1} times if each object's are cut on its own"
+            "    layers of side quads of whole volumes, mean over the picture:\n        \
+             {infinity:.1} if they reach to infinity\n        \
+             {scene:.1} if all end on one plane beside the scene (reach=scene){}\n        \
+             {object:.1} if each object's end on a plane of its own (reach=object)",
+            if scene == infinity {
+                ", but there is no such plane"
+            } else {
+                ""
+            }
         )
     }
 }
@@ -102,39 +118,57 @@ fn write_plan(f: &mut Formatter<'_>, drawn: DrawnVolumes, frames: usize) -> Resu
         all,
         at_infinity,
     } = drawn;
-    for (count, what) in [
-        (culled, "not drawn: they cannot shadow anything in view"),
-        (z_pass, "counted z-pass, which needs no caps"),
+    let counted = [
+        (
+            culled,
+            "not drawn: nothing of them is left to cast, or it shadows nothing in view",
+        ),
+        (z_pass, "counted z-pass, without caps"),
         (
             z_pass_counted,
-            "    with the eye in them: a ray counts how often",
+            "  of these with the eye inside; a ray to the light counts how often",
         ),
         (z_fail, "counted z-fail, with caps"),
+    ];
+    let cast = [
         (
             light_facing,
-            "closed: only their light-facing triangles cast, in half the side quads",
+            "closed: their light-facing triangles cast, with half the side quads",
         ),
         (
             each_side,
-            "nearly closed: light-facing triangles cast first, the rest by open edges, in fewer side quads",
+            "nearly closed: the same, and then side quads of their open edges",
         ),
-        (all, "too open for that: all triangles cast"),
-        (
-            at_infinity,
-            "volumes that cannot be cut, and reach to infinity",
-        ),
+        (all, "with too many open edges for that: all triangles cast"),
+    ];
+    let ends = [(
+        at_infinity,
+        "reach to infinity, for no plane beside the scene will do",
+    )];
+    for (title, lines) in [
+        ("volumes", &counted[..]),
+        ("of those drawn, what casts", &cast),
+        ("of those drawn, where they end", &ends),
     ] {
-        if count > 0 {
-            writeln!(f, "{:>10.1}  {what}", a_frame(count))?;
+        if lines.iter().all(|(count, _)| *count == 0) {
+            continue;
+        }
+        writeln!(f, "    {title}")?;
+        for &(count, what) in lines.iter().filter(|(count, _)| *count > 0) {
+            writeln!(f, "{:>12.1}  {what}", a_frame(count))?;
         }
     }
     Ok(())
 }
 
 impl Advice {
-    fn full_ms(&self) -> Option<f64> {
-        let full = self.measured.iter().find(|method| method.method == FULL)?;
-        full.shadow_ms.clone().ok()
+    fn full(&self) -> Option<&Measured> {
+        self.measured.iter().find(|method| method.method == FULL)
+    }
+
+    /// Pixels of all verified frames as a mean.
+    fn a_frame(&self, px: u64) -> f64 {
+        px as f64 / self.verified.max(1) as f64
     }
 
     fn write_measured(&self, f: &mut Formatter<'_>) -> Result {
@@ -142,62 +176,82 @@ impl Advice {
         let name_width = widest.max().unwrap_or(0);
         writeln!(
             f,
-            "    {:name_width$}  {:>9}  {:>7}  {:>8}  {:>9}",
-            "method", "shadow ms", "ratio", "wrong px", "artifacts"
+            "    {:name_width$}  {:>9}  {:>5}  {:>9}  {:>8}  {:>11}  exact",
+            "method", "shadow ms", "ratio", "half", "wrong px", "artifact px"
         )?;
-        for Measured {
-            method,
-            shadow_ms,
-            wrong_px,
-            artifact_px,
-            ..
-        } in &self.measured
-        {
-            match shadow_ms {
-                Ok(ms) => {
-                    let share = self
-                        .full_ms()
-                        .map_or(String::new(), |full| format!("{:.2}", ms / full));
-                    writeln!(
-                        f,
-                        "    {method:name_width$}  {ms:>9.1}  {share:>7}  {wrong_px:>8}  {artifact_px:>9}"
-                    )?;
-                }
-                Err(reason) => writeln!(f, "    {method:name_width$}  {reason}")?,
-            }
+        for measured in &self.measured {
+            let method = &measured.method;
+            let Some([_, median_ms, _]) = measured.quartiles_ms() else {
+                let reason = measured.shadow_ms.as_ref().err();
+                let reason = reason.map_or("no frame", |reason| reason);
+                writeln!(f, "    {method:name_width$}  {reason}")?;
+                continue;
+            };
+            let ratio = self
+                .full()
+                .and_then(|full| measured.quartiles_of_ratio(full));
+            let [ratio, half] = match ratio {
+                Some([low, ratio, high]) => [format!("{ratio:.2}"), format!("{low:.2}–{high:.2}")],
+                None => Default::default(),
+            };
+            let [wrong, artifact] =
+                [measured.wrong_px, measured.artifact_px].map(|px| self.a_frame(px));
+            let is_exact = if self.is_exact(measured) { "yes" } else { "no" };
+            writeln!(
+                f,
+                "    {method:name_width$}  {median_ms:>9.1}  {ratio:>5}  {half:>9}  {wrong:>8.1}  {artifact:>11.1}  {is_exact}"
+            )?;
         }
         Ok(())
     }
 
     /// Which method, and why.
     fn advice(&self) -> String {
-        let Some((pick, ms)) = self.pick() else {
-            return "advice: none; no method drew this scene with one artifact pixel a frame or less".to_owned();
+        let picks = self.picks();
+        let Some((pick, alike)) = picks.split_first() else {
+            return "advice: none; no method is exact here".to_owned();
         };
-        let mut advice = format!("advice: {}", pick.method);
-        if let Some(full) = self.full_ms().filter(|_| pick.method != FULL) {
-            let gain = full / ms;
-            advice.push_str(&format!(", {gain:.1} times as fast as {FULL}"));
-            if gain < WORTH_THE_CHANGE {
-                advice.push_str(", which is little");
-            }
+        let gain = self
+            .full()
+            .and_then(|full| full.quartiles_of_ratio(pick))
+            .map_or(1.0, |[_, gain, _]| gain);
+        if pick.method == FULL || picks.iter().any(|method| method.method == FULL) {
+            return format!(
+                "advice: any exact method; none is clearly faster than {FULL}{}",
+                self.faster_than(pick)
+            );
+        }
+        let mut advice = format!("advice: {}, {gain:.1} times as fast as {FULL}", pick.method);
+        if !alike.is_empty() {
+            let names: Vec<_> = alike.iter().map(|method| &*method.method).collect();
+            advice.push_str(&format!(
+                "\nor, as fast within a tenth: {}",
+                names.join("; ")
+            ));
         }
         let reasons = self.reasons(pick);
         if !reasons.is_empty() {
-            advice.push_str(&format!(":\n    {}", reasons.join(";\n    ")));
-        }
-        let faster = self.measured.iter().find(|method| {
-            let is_faster = method.shadow_ms.as_ref().is_ok_and(|other| *other < ms);
-            is_faster && !self.is_exact(method)
-        });
-        if let Some(faster) = faster {
-            let wrong = faster.wrong_px / self.verified.max(1) as u64;
             advice.push_str(&format!(
-                "\nfaster, if some {wrong} wrong pixels a frame do not matter: {}",
-                faster.method
+                "\nwhat its plan finds here:\n    {}",
+                reasons.join("\n    ")
             ));
         }
-        advice
+        advice + &self.faster_than(pick)
+    }
+
+    /// Names what is faster and not exact.
+    fn faster_than(&self, pick: &Measured) -> String {
+        let faster = self.measured.iter().find(|method| {
+            let ratio = method.quartiles_of_ratio(pick);
+            ratio.is_some_and(|[_, ratio, _]| ratio < 1.0) && !self.is_exact(method)
+        });
+        faster.map_or(String::new(), |faster| {
+            format!(
+                "\nfaster, if some {:.0} wrong pixels a frame do not matter: {}",
+                self.a_frame(faster.wrong_px),
+                faster.method
+            )
+        })
     }
 
     fn reasons(&self, pick: &Measured) -> Vec<String> {
@@ -210,43 +264,43 @@ impl Advice {
         let percent = |part: u32| format!("{:.0} %", 100.0 * share(part));
         if share(drawn.z_pass) > 0.5 {
             let share = percent(drawn.z_pass);
-            reasons.push(format!("{share} of the volumes in view need no caps"));
+            reasons.push(format!("{share} of the volumes drawn need no caps"));
         }
         if share(drawn.light_facing) > 0.1 {
             reasons.push(format!(
-                "{} are of closed objects, and need half the side quads",
+                "{} are of closed objects, with half the side quads",
                 percent(drawn.light_facing)
             ));
         }
         if share(drawn.each_side) > 0.1 {
             reasons.push(format!(
-                "{} are of objects with few open edges, and need few side quads twice",
+                "{} are of nearly closed objects: only side quads of open edges are drawn twice",
                 percent(drawn.each_side)
             ));
         }
         if share(drawn.all) > 0.5 {
             reasons.push(format!(
-                "but {} are of objects too open to leave triangles out",
+                "{} are of objects with too many open edges to leave triangles out",
                 percent(drawn.all)
             ));
         }
         let left_out = self.shape.left_out.unwrap_or(0) as f64 / self.shape.triangles.max(1) as f64;
         if left_out > 0.1 {
             reasons.push(format!(
-                "{:.0} % of the triangles are behind others, seen from the light, and need not cast",
+                "{:.0} % of all triangles are hidden from the light by others, and need not cast",
                 100.0 * left_out
             ));
         }
         let Overdraw { scene, object, .. } = self.shape.overdraw;
         if object > 0.0 && scene / object > WORTH_A_WORD {
             reasons.push(format!(
-                "side quads that are cut object by object cover {:.0} % less",
+                "side quads that end object by object cover {:.0} % less of the picture",
                 100.0 * (1.0 - object / scene)
             ));
         }
         if drawn.culled > 0 && f64::from(drawn.culled) > 0.1 * f64::from(objects) {
             reasons.push(format!(
-                "{:.0} objects a frame cannot shadow anything in view",
+                "{:.0} objects a frame need no volume at all",
                 f64::from(drawn.culled) / self.frames as f64
             ));
         }
@@ -262,7 +316,7 @@ mod tests {
     fn measured(method: &str, shadow_ms: f64, artifact_px: u64) -> Measured {
         Measured {
             method: method.to_owned(),
-            shadow_ms: Ok(shadow_ms),
+            shadow_ms: Ok(vec![shadow_ms, 2.0 * shadow_ms]),
             wrong_px: artifact_px + 1,
             artifact_px,
             drawn: method.contains("plan=auto").then_some(DrawnVolumes {
@@ -316,12 +370,12 @@ mod tests {
             "{text}"
         );
         assert!(
-            text.contains("100 % of the volumes in view need no caps"),
+            text.contains("100 % of the volumes drawn need no caps"),
             "{text}"
         );
         assert!(text.contains("cover 50 % less"), "{text}");
         let wrong =
-            "faster, if some 15 wrong pixels a frame do not matter: silhouette_ts,plan=auto";
+            "faster, if some 16 wrong pixels a frame do not matter: silhouette_ts,plan=auto";
         assert!(text.contains(wrong), "{text}");
     }
 
@@ -330,9 +384,36 @@ mod tests {
         let wrong = advice(vec![measured("cube_shadow_map", 20.0, 900)]);
         assert!(wrong.to_string().contains("advice: none"), "{wrong}");
         let alike = advice(vec![measured(FULL, 40.0, 7), measured("other", 20.0, 7)]);
-        assert_eq!(
-            alike.pick().map(|(method, _)| &*method.method),
-            Some("other")
+        let picks: Vec<_> = alike.picks().iter().map(|method| &*method.method).collect();
+        assert_eq!(picks, ["other"]);
+    }
+
+    #[test]
+    fn a_tie_has_no_winner_but_by_its_artifacts() {
+        let tie = advice(vec![
+            measured(FULL, 40.0, 0),
+            measured("silhouette_cpu,plan=auto", 10.0, 2),
+            measured("silhouette_gs,plan=auto", 10.8, 0),
+            measured("silhouette_ts,plan=auto", 11.2, 0),
+        ]);
+        let text = tie.to_string();
+        assert!(
+            text.contains("advice: silhouette_gs,plan=auto, 3.7 times"),
+            "{text}"
         );
+        assert!(
+            text.contains("as fast within a tenth: silhouette_cpu,plan=auto\n"),
+            "{text}"
+        );
+        let none = advice(vec![
+            measured(FULL, 40.0, 0),
+            measured("silhouette_cpu,plan=auto", 38.0, 0),
+        ]);
+        let text = none.to_string();
+        assert!(
+            text.contains("none is clearly faster than silhouette_gs"),
+            "{text}"
+        );
+        assert!(!text.contains("need no caps"), "{text}");
     }
 }

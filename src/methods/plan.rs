@@ -76,6 +76,8 @@ pub(super) struct Planner {
     casters: Rc<Casters>,
     parameters: VolumeParameters,
     determinism: Determinism,
+    /// For each object that casts whether any of its triangles is left to do so.
+    casts: Vec<bool>,
     /// Where not all triangles may cast.
     sides: Option<Sides>,
     /// Where volumes around the near rectangle are counted.
@@ -138,6 +140,10 @@ impl Planner {
         };
         Self {
             casters: Rc::clone(casters),
+            casts: mesh
+                .casters()
+                .map(|object| !object.triangles.is_empty())
+                .collect(),
             parameters,
             determinism,
             sides: (casting != Casting::All).then(sides),
@@ -159,7 +165,7 @@ impl Planner {
         let mut of_rest = None;
         let culls = self.parameters.culling == Culling::Frustum;
         for (number, &bounds) in casters.iter().enumerate() {
-            let is_drawn = !culls || view.may_see_shadow_of(bounds);
+            let is_drawn = self.casts[number] && (!culls || view.may_see_shadow_of(bounds));
             // A volume out of view is not around the near rectangle either.
             let (casting, count) = if is_drawn {
                 self.casting(number, bounds, &near, view)

@@ -80,10 +80,8 @@ fn sponza_keeps_its_shadow_however_it_is_told() {
     let plan = find_scene("sponza", Path::new("")).unwrap();
     match plan.file.load(&plan.search) {
         Ok(sponza) => {
-            let flawed = damaged(&sponza, 0.02);
-            // A frame of each triangle's volume takes long: once is enough.
-            assert_unchanged([sponza], &methods(&METHODS[..2]));
-            assert_unchanged([flawed], &methods(&METHODS));
+            // It has all that the model has, and flaws: a model without takes as long and says less.
+            assert_unchanged([damaged(&sponza, 0.02)], &methods(&METHODS));
         }
         Err(error) => println!("skipped: {error}"),
     }
@@ -91,7 +89,7 @@ fn sponza_keeps_its_shadow_however_it_is_told() {
 
 #[test]
 fn random_scenes_keep_their_shadow_however_they_are_told() {
-    assert_unchanged((0..100).map(random::case), &methods(&METHODS));
+    assert_unchanged((0..60).map(random::case), &methods(&METHODS));
 }
 
 /// A leaning sheet with the light in its plane as nearly as single precision can say.
