@@ -2,7 +2,7 @@
 #include "methods/silhouette_cs/blocks.wgsl"
 #include "methods/silhouette_cs/elements.wgsl"
 
-// See count_edges.wgsl.
+// See multiplicity.wgsl.
 @group(1) @binding(2) var<storage, read> edges: array<vec4<u32>>;
 @group(1) @binding(3) var<storage, read> marks: array<u32>;
 @group(1) @binding(4) var<storage, read> multiplicities: array<u32>;
@@ -55,9 +55,6 @@ fn emit_edges(@builtin(global_invocation_id) at: vec3<u32>) {
     }
     let block = block_at(number);
     let plan = plan_of(block.caster);
-    if !plan.is_drawn {
-        return;
-    }
     let places = corners[number];
     var sides = select(places.y, places.x, plan.z_pass);
     var fans = places.z;

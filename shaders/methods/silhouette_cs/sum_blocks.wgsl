@@ -17,14 +17,17 @@ fn sum_blocks(@builtin(local_invocation_index) part: u32) {
     for (var block = first; block < end; block++) {
         sum += corners[block];
     }
+    // After each step a part has the sum of twice as many, up to itself.
     of_parts[part] = sum;
-    workgroupBarrier();
-    var before = vec4<u32>(0u);
-    var all = vec4<u32>(0u);
-    for (var other = 0u; other < PARTS; other++) {
-        all += of_parts[other];
-        before += select(vec4<u32>(0u), of_parts[other], other < part);
+    for (var reach = 1u; reach < PARTS; reach *= 2u) {
+        workgroupBarrier();
+        let below = select(vec4<u32>(0u), of_parts[max(part, reach) - reach], part >= reach);
+        workgroupBarrier();
+        of_parts[part] += below;
     }
+    workgroupBarrier();
+    let all = of_parts[PARTS - 1u];
+    let before = of_parts[part] - sum;
     var place = before + vec4<u32>(0u, all.x, all.x + all.y, all.x + all.y + all.z);
     for (var block = first; block < end; block++) {
         let count = corners[block];

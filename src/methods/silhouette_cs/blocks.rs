@@ -49,16 +49,6 @@ impl Blocks {
         }
         all
     }
-
-    /// Marks of these edges, a word a block.
-    pub(super) fn marks(&self, edges: impl Iterator<Item = u32>) -> Vec<u32> {
-        let mut marks = vec![0; self.blocks.len()];
-        for edge in edges {
-            let bit = self.bits[edge as usize];
-            marks[(bit / Self::SIZE) as usize] |= 1 << (bit % Self::SIZE);
-        }
-        marks
-    }
 }
 
 fn in_blocks(all: Range<u32>) -> impl Iterator<Item = Range<u32>> {
@@ -96,15 +86,10 @@ mod tests {
         assert!(edges.into_iter().eq(0..topology.edges.len() as u32));
         let of_casters = mesh.casters().flat_map(|object| object.triangles.clone());
         assert!(triangles.into_iter().eq(of_casters));
-        let marked = [3, 40, 299];
-        let marks = blocks.marks(marked.into_iter());
-        let ones: u32 = marks.iter().map(|word| word.count_ones()).sum();
-        assert_eq!(ones, 3);
-        for edge in marked {
+        for edge in [0, 3, 40, 299] {
             let bit = blocks.bits[edge as usize];
             let [first, _] = blocks.blocks[(bit / 32) as usize];
             assert_eq!(first + bit % 32, edge);
-            assert_ne!(marks[(bit / 32) as usize] & 1 << (bit % 32), 0);
         }
     }
 }

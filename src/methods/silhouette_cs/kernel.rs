@@ -12,15 +12,18 @@ pub(super) struct Kernel {
     workgroups: u32,
 }
 
+/// Buffers and where they are bound.
+pub(super) type Bindings<'a> = &'a [(u32, &'a wgpu::Buffer)];
+
 /// What a kernel is made of.
 pub(super) struct KernelDesc<'a> {
     pub(super) module: &'a wgpu::ShaderModule,
     pub(super) entry_point: &'a str,
     pub(super) constants: &'a [(&'a str, f64)],
-    /// The uniform of the frame, for those that ask for the light.
-    pub(super) frame: Option<&'a wgpu::Buffer>,
+    /// Bindings of group 0, if there are any.
+    pub(super) uniforms: Bindings<'a>,
     /// Bindings of group 1.
-    pub(super) buffers: &'a [(u32, &'a wgpu::Buffer)],
+    pub(super) buffers: Bindings<'a>,
 }
 
 impl Kernel {
@@ -38,7 +41,7 @@ impl Kernel {
             },
             cache: None,
         });
-        let group = |number, buffers: &[(u32, &wgpu::Buffer)]| {
+        let group = |number, buffers: Bindings<'_>| {
             let entries: Vec<_> = buffers
                 .iter()
                 .map(|(binding, buffer)| wgpu::BindGroupEntry {
@@ -53,10 +56,12 @@ impl Kernel {
             });
             (number, group)
         };
-        let of_frame = desc.frame.map(|frame| group(0, &[(0, frame)]));
-        let groups = of_frame.into_iter().chain([group(1, desc.buffers)]);
+        let bound = [(0, desc.uniforms), (1, desc.buffers)].into_iter();
+        let bound = bound.filter(|(_, buffers)| !buffers.is_empty());
         Self {
-            groups: groups.collect(),
+            groups: bound
+                .map(|(number, buffers)| group(number, buffers))
+                .collect(),
             pipeline,
             workgroups: invocations.div_ceil(WORKGROUP),
         }

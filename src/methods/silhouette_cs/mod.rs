@@ -4,6 +4,7 @@
 mod blocks;
 mod extraction;
 mod kernel;
+mod kernels;
 mod plans;
 mod tables;
 

@@ -10,8 +10,11 @@ use crate::methods::side_quad::DirectedEdge;
 use crate::methods::{Casters, MethodError, PrepareContext};
 use wgpu::BufferUsages as Usage;
 
-/// Multiplicities are kept in 16 bits.
-const MOST_TRIANGLES: u32 = i16::MAX as u32;
+/// Bits of an edge's last word that are the number of its triangles: multiplicities are kept in 16 bits. Those above say whose
+/// edge it is.
+const TRIANGLE_BITS: u32 = 15;
+const MOST_TRIANGLES: u32 = (1 << TRIANGLE_BITS) - 1;
+const MOST_CASTERS: usize = 1 << (32 - TRIANGLE_BITS);
 
 /// Most corners of the faces of an edge for each of its triangles: of a side quad and two triangles of fans, and of a side
 /// of an open edge.
@@ -31,6 +34,8 @@ pub(super) struct Tables {
     /// A word for each caster.
     pub(super) plans: wgpu::Buffer,
     pub(super) facings: wgpu::Buffer,
+    /// A bit for each edge of a block.
+    pub(super) marks: wgpu::Buffer,
     pub(super) multiplicities: wgpu::Buffer,
     pub(super) corners: wgpu::Buffer,
     pub(super) elements: wgpu::Buffer,
@@ -51,21 +56,14 @@ impl Tables {
         let gpu = context.gpu;
         let casters = &*context.casters;
         let (mesh, topology) = (&*casters.mesh, &**casters.topology());
-        check(topology)?;
+        check(topology, blocks.of_casters.len() - 1)?;
         let (edges, sides) = edges_and_sides(casters, extraction);
         let apexes = match caps {
             Caps::Fan => fan_apexes(mesh, topology),
             Caps::Triangles | Caps::FarTriangles => vec![0; mesh.positions.len()],
         };
-        let open_edges = casters.open_edges();
-        let open: u64 = (0..blocks.of_casters.len() - 1)
-            .flat_map(|caster| open_edges.of(caster))
-            .map(|open| u64::from(open.multiplicity.unsigned_abs()))
-            .sum();
         let triangles = mesh.triangles.len() as u64;
-        let most_corners = CORNERS_A_SIDE * sides.len() as u64
-            + CORNERS_OF_OPEN * open
-            + CORNERS_OF_CAPS * triangles;
+        let most_corners = most_corners(casters, sides.len() as u64);
         let most_bytes = most_bytes.min(most_bytes_of_device(gpu));
         let corners_a_round = most_corners.min(most_bytes / 12 * 3).max(3);
         let words = |what: &str, contents: &[u32]| words(gpu, what, contents);
@@ -89,6 +87,11 @@ impl Tables {
             )?,
             facings: empty("the facings of triangles", 2 * triangles.div_ceil(32), none)?,
             multiplicities: empty("the multiplicities of edges", edges.len() as u64, none)?,
+            marks: empty(
+                "the edges with faces",
+                blocks.blocks.len() as u64,
+                Usage::COPY_DST,
+            )?,
             corners: empty(
                 "numbers of corners",
                 4 * (blocks.blocks.len() as u64 + 1),
@@ -99,6 +102,17 @@ impl Tables {
             rounds: most_corners.div_ceil(corners_a_round).max(1) as u32,
         })
     }
+}
+
+/// The most corners that the faces of all volumes may have, whatever the light.
+fn most_corners(casters: &Casters, sides: u64) -> u64 {
+    let open_edges = casters.open_edges();
+    let open: u64 = (0..casters.mesh.caster_object_count())
+        .flat_map(|caster| open_edges.of(caster))
+        .map(|open| u64::from(open.multiplicity.unsigned_abs()))
+        .sum();
+    let triangles = casters.mesh.triangles.len() as u64;
+    CORNERS_A_SIDE * sides + CORNERS_OF_OPEN * open + CORNERS_OF_CAPS * triangles
 }
 
 fn most_bytes_of_device(gpu: &Gpu) -> u64 {
@@ -113,22 +127,35 @@ pub(super) fn words(gpu: &Gpu, what: &str, contents: &[u32]) -> Result<wgpu::Buf
     gpu.buffer(what, bytemuck::cast_slice(contents), Usage::STORAGE)
 }
 
-fn check(topology: &Topology) -> Result<(), MethodError> {
-    let triangles = topology.edges.iter().map(|edge| edge.opposite_count).max();
-    match triangles {
-        Some(triangles) if triangles > MOST_TRIANGLES => Err(MethodError::Unavailable(format!(
-            "an edge with {triangles} triangles has more than the {MOST_TRIANGLES} that it can count"
-        ))),
-        _ => Ok(()),
+fn check(topology: &Topology, casters: usize) -> Result<(), MethodError> {
+    let triangles = topology.edges.iter().map(|edge| edge.opposite_count);
+    let most = triangles.max().unwrap_or(0);
+    if most > MOST_TRIANGLES {
+        let message = format!(
+            "an edge with {most} triangles has more than the {MOST_TRIANGLES} that it can count"
+        );
+        return Err(MethodError::Unavailable(message));
     }
+    if casters > MOST_CASTERS {
+        let message =
+            format!("{casters} objects are more than the {MOST_CASTERS} that it can number");
+        return Err(MethodError::Unavailable(message));
+    }
+    Ok(())
 }
 
-/// The edges with their ends in the vertex order, and their triangles: see count_edges.wgsl.
+/// The edges with their ends in the vertex order, and their triangles: see multiplicity.wgsl.
 fn edges_and_sides(casters: &Casters, extraction: Extraction) -> (Vec<[u32; 4]>, Vec<u32>) {
     let (mesh, topology) = (&casters.mesh, casters.topology());
     let triangles = casters.edge_triangles();
     let mut sides = Vec::with_capacity(topology.opposites.len());
-    let edges = (0..).zip(&topology.edges).map(|(number, edge)| {
+    let objects = mesh.objects.iter().zip(&topology.object_edges);
+    let of_casters = objects.filter(|(object, _)| object.casts_shadow);
+    let of_casters = (0..).zip(of_casters);
+    let numbers =
+        of_casters.flat_map(|(caster, (_, edges))| edges.clone().map(move |edge| (caster, edge)));
+    let edges = numbers.map(|(caster, number): (u32, u32)| {
+        let edge = &topology.edges[number as usize];
         let found = SilhouetteEdge {
             edge: number,
             multiplicity: 1,
@@ -145,7 +172,8 @@ fn edges_and_sides(casters: &Casters, extraction: Extraction) -> (Vec<[u32; 4]>,
         };
         let opposites = topology.opposites_of(*edge).iter();
         sides.extend(opposites.zip(triangles.of(*edge)).map(side));
-        [directed.a, directed.b, first, edge.opposite_count]
+        let word = edge.opposite_count | caster << TRIANGLE_BITS;
+        [directed.a, directed.b, first, word]
     });
     (edges.collect(), sides)
 }
