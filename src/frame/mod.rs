@@ -5,6 +5,7 @@
 //! method's stages (which add its shadows to the mask) and `shade` (the lit picture). The depth buffer is
 //! reversed, 1 at the near plane and 0 at infinity, unless a [`DepthSetup`] has it otherwise for study.
 
+mod blended_counts;
 mod contract;
 mod depth;
 pub mod fullscreen;
@@ -20,6 +21,7 @@ mod uniform;
 mod view;
 mod visible_triangles;
 
+pub use blended_counts::BlendedCounts;
 pub use contract::{DrawnVolumes, Frame, PreparedMethod, TexelOf, Texels};
 pub use depth::{DepthFormat, DepthSetup};
 pub use gbuffer::GBuffer;

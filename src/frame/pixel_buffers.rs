@@ -27,7 +27,7 @@ impl PixelBuffers {
     /// # Errors
     /// When the device cannot hold them.
     pub(super) fn new(gpu: &Gpu, width: u32, height: u32) -> Result<Self, DeviceError> {
-        let row_px = width.next_multiple_of(ROW_ALIGNMENT);
+        let row_px = row_px(width);
         let buffer = |what, bytes_per_px: u64| {
             let bytes = bytes_per_px * u64::from(row_px) * u64::from(height);
             let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST;
@@ -53,30 +53,12 @@ impl PixelBuffers {
         encoder: &mut wgpu::CommandEncoder,
         drawn: &wgpu::Texture,
     ) {
-        self.copy(encoder, drawn, &self.triangle_ids, 4);
+        copy(encoder, drawn, &self.triangle_ids, 4);
     }
 
     /// Copies the shadow mask as it is.
     pub(super) fn take_mask(&self, encoder: &mut wgpu::CommandEncoder, mask: &wgpu::Texture) {
-        self.copy(encoder, mask, &self.mask, 1);
-    }
-
-    fn copy(
-        &self,
-        encoder: &mut wgpu::CommandEncoder,
-        from: &wgpu::Texture,
-        to: &wgpu::Buffer,
-        bytes_per_px: u32,
-    ) {
-        let to = wgpu::TexelCopyBufferInfo {
-            buffer: to,
-            layout: wgpu::TexelCopyBufferLayout {
-                offset: 0,
-                bytes_per_row: Some(bytes_per_px * self.row_px),
-                rows_per_image: None,
-            },
-        };
-        encoder.copy_texture_to_buffer(from.as_image_copy(), to, from.size());
+        copy(encoder, mask, &self.mask, 1);
     }
 
     /// Triangle numbers to be read, surfaces and moved depths to be written.
@@ -103,6 +85,29 @@ impl PixelBuffers {
     ) -> (wgpu::BindGroupLayout, wgpu::BindGroup) {
         bound(device, [true; 2], [&self.mask, &self.surfaces])
     }
+}
+
+/// Pixels from one row of a picture in a buffer to the next.
+pub(super) fn row_px(width: u32) -> u32 {
+    width.next_multiple_of(ROW_ALIGNMENT)
+}
+
+/// Copies a picture into a buffer.
+pub(super) fn copy(
+    encoder: &mut wgpu::CommandEncoder,
+    from: &wgpu::Texture,
+    to: &wgpu::Buffer,
+    bytes_per_px: u32,
+) {
+    let to = wgpu::TexelCopyBufferInfo {
+        buffer: to,
+        layout: wgpu::TexelCopyBufferLayout {
+            offset: 0,
+            bytes_per_row: Some(bytes_per_px * row_px(from.width())),
+            rows_per_image: None,
+        },
+    };
+    encoder.copy_texture_to_buffer(from.as_image_copy(), to, from.size());
 }
 
 fn bound<const N: usize>(

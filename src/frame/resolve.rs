@@ -24,20 +24,7 @@ impl StencilResolve {
             compare: wgpu::CompareFunction::NotEqual,
             ..wgpu::StencilFaceState::IGNORE
         };
-        let depth_stencil = wgpu::DepthStencilState {
-            format: depth.texture_format(gpu),
-            depth_write_enabled: Some(false),
-            // The triangle lies at infinity: farther than every surface, not farther than the
-            // background, where a count means nothing.
-            depth_compare: Some(depth.direction.farther()),
-            stencil: wgpu::StencilState {
-                front: counted,
-                back: counted,
-                read_mask: 0xff,
-                write_mask: 0,
-            },
-            bias: wgpu::DepthBiasState::default(),
-        };
+        let depth_stencil = where_something_is(gpu, depth, counted);
         let desc = FullscreenDesc {
             depth_stencil: Some(depth_stencil),
             ..FullscreenDesc::new(&module, "counted", &layout, MASK_FORMAT)
@@ -51,25 +38,9 @@ impl StencilResolve {
     /// Records a stage, mostly [`RESOLVE_STAGE`]: adds to the mask the pixels with a count, where counting began with
     /// `begun_with` instead of 0.
     pub fn record(&self, frame: &mut Frame<'_>, stage: &'static str, begun_with: i32) {
-        let Targets {
-            mask_view,
-            depth_view,
-            width,
-            height,
-            ..
-        } = frame.targets();
+        let targets = frame.targets();
         frame.stage(stage, |stage| {
-            let load = wgpu::LoadOp::Load;
-            let mut pass = fullscreen::pass(
-                stage.encoder(),
-                "resolve",
-                mask_view,
-                load,
-                Some(depth_view),
-            );
-            pass.set_pipeline(&self.pipeline);
-            let far = self.far;
-            pass.set_viewport(0.0, 0.0, *width as f32, *height as f32, far, far);
+            let mut pass = add_to_mask(stage.encoder(), targets, &self.pipeline, self.far);
             // Counts wrap around, so they need not really begin there.
             pass.set_stencil_reference(begun_with.wrapping_neg() as u32 & 0xff);
             pass.draw(0..3, 0..1);
@@ -77,4 +48,41 @@ impl StencilResolve {
             stage.count_draws(1);
         });
     }
+}
+
+/// Tests for a triangle at infinity: it is farther than every surface, and not farther than the background, where a count
+/// means nothing.
+pub(super) fn where_something_is(
+    gpu: &Gpu,
+    depth: DepthSetup,
+    stencil: wgpu::StencilFaceState,
+) -> wgpu::DepthStencilState {
+    wgpu::DepthStencilState {
+        format: depth.texture_format(gpu),
+        depth_write_enabled: Some(false),
+        depth_compare: Some(depth.direction.farther()),
+        stencil: wgpu::StencilState {
+            front: stencil,
+            back: stencil,
+            read_mask: 0xff,
+            write_mask: 0,
+        },
+        bias: wgpu::DepthBiasState::default(),
+    }
+}
+
+/// A pass over the picture, at infinity, that adds to the mask.
+pub(super) fn add_to_mask<'a>(
+    encoder: &'a mut wgpu::CommandEncoder,
+    targets: &Targets,
+    pipeline: &wgpu::RenderPipeline,
+    far: f32,
+) -> wgpu::RenderPass<'a> {
+    let load = wgpu::LoadOp::Load;
+    let depth = Some(&targets.depth_view);
+    let mut pass = fullscreen::pass(encoder, "resolve", &targets.mask_view, load, depth);
+    pass.set_pipeline(pipeline);
+    let (width, height) = (targets.width as f32, targets.height as f32);
+    pass.set_viewport(0.0, 0.0, width, height, far, far);
+    pass
 }

@@ -124,6 +124,9 @@ capabilities! {
                 &mut of.conditional_rendering
             })
         }));
+    /// Colours of 32-bit floats that are blended.
+    FloatBlending: "float_blending", "blending of 32-bit floats",
+        Wgpu(wgpu::Features::FLOAT32_BLENDABLE);
 }
 
 impl Serialize for Capability {

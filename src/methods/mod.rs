@@ -6,6 +6,7 @@
 
 mod capping;
 mod casters;
+mod counter;
 mod cube_shadow_map;
 mod declare;
 mod depth_map;

@@ -1,8 +1,9 @@
 //! Shadow volumes whose faces are lists of corners, counted in the stencil buffer by wgpu's own passes: no native stage.
 //!
+use super::counter::{Counter, Counts};
 use super::volume_parameters::VolumeParameters;
 use super::{MethodError, PrepareContext};
-use crate::frame::{FrameResources, StencilResolve};
+use crate::frame::FrameResources;
 use crate::geometry::EndPlane;
 use crate::gpu::{DepthDirection, Stage, shader};
 use crate::scene::Mesh;
@@ -32,6 +33,16 @@ enum Count {
     DepthPasses,
     /// Everywhere, as z-fail does behind all.
     Everywhere,
+}
+
+impl Count {
+    /// What a face that is seen from outside counts.
+    fn of_front_face(self) -> f64 {
+        match self {
+            Self::DepthPasses => 1.0,
+            Self::DepthFails | Self::Everywhere => -1.0,
+        }
+    }
 }
 
 /// The faces of each way of counting, as corners of an element buffer: three corners a triangle, counter-clockwise seen from
@@ -89,13 +100,14 @@ pub(super) struct PortableVolumes {
     depth_passes: wgpu::RenderPipeline,
     depth_fails: wgpu::RenderPipeline,
     everywhere: wgpu::RenderPipeline,
-    pub(super) resolve: StencilResolve,
+    pub(super) counts: Counts,
 }
 
 impl PortableVolumes {
     pub(super) fn new(
         context: &PrepareContext<'_>,
         parameters: &VolumeParameters,
+        counter: Counter,
     ) -> Result<Self, MethodError> {
         let PrepareContext { gpu, resources, .. } = context;
         check(&context.scene.mesh)?;
@@ -109,7 +121,27 @@ impl PortableVolumes {
             ],
             ..Default::default()
         });
-        let pipeline = |count| {
+        let counts = Counts::new(context, counter, parameters.depth_setup())?;
+        let pipeline = |count: Count| {
+            let blended = match &counts {
+                Counts::Stencil(_) => None,
+                Counts::Blended(counts) => Some([Some(counts.target())]),
+            };
+            let from_outside = [("seen_from_outside", count.of_front_face())];
+            let fragment = blended.as_ref().map(|targets| wgpu::FragmentState {
+                module: &module,
+                entry_point: Some("count"),
+                compilation_options: wgpu::PipelineCompilationOptions {
+                    constants: &from_outside,
+                    ..Default::default()
+                },
+                targets,
+            });
+            let depth_format = resources.targets.depth.format();
+            let mut tests = depth_stencil(count, depth_format, parameters);
+            if blended.is_some() {
+                count_in_shader(count, &mut tests);
+            }
             device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
                 label: Some("volumes"),
                 layout: Some(&layout),
@@ -120,13 +152,9 @@ impl PortableVolumes {
                     buffers: &[],
                 },
                 primitive: wgpu::PrimitiveState::default(),
-                depth_stencil: Some(depth_stencil(
-                    count,
-                    resources.targets.depth.format(),
-                    parameters,
-                )),
+                depth_stencil: Some(tests),
                 multisample: wgpu::MultisampleState::default(),
-                fragment: None,
+                fragment,
                 multiview_mask: None,
                 cache: None,
             })
@@ -135,7 +163,7 @@ impl PortableVolumes {
             depth_passes: pipeline(Count::DepthPasses),
             depth_fails: pipeline(Count::DepthFails),
             everywhere: pipeline(Count::Everywhere),
-            resolve: StencilResolve::new(gpu, parameters.depth_setup()),
+            counts,
         })
     }
 
@@ -152,7 +180,7 @@ impl PortableVolumes {
             (&self.depth_fails, &corners.depth_fails),
             (&self.everywhere, &corners.everywhere),
         ];
-        draw(stage, resources, elements, &draws);
+        self.draw(stage, resources, elements, &draws);
     }
 
     /// Goes on counting with those.
@@ -164,44 +192,61 @@ impl PortableVolumes {
         corners: &Corners,
     ) {
         let draws = [(&self.depth_passes, &corners.of_open_edges)];
-        draw(stage, resources, elements, &draws);
+        self.draw(stage, resources, elements, &draws);
+    }
+
+    fn draw(
+        &self,
+        stage: &mut Stage<'_, '_>,
+        resources: &FrameResources,
+        elements: &wgpu::Buffer,
+        draws: &[(&wgpu::RenderPipeline, &FaceDraws)],
+    ) {
+        let blended = match &self.counts {
+            Counts::Stencil(_) => None,
+            Counts::Blended(counts) => Some(counts.attachment()),
+        };
+        let mut pass = pass(stage, resources, blended);
+        pass.set_bind_group(0, &resources.uniform.bind_group, &[]);
+        pass.set_bind_group(1, &resources.scene.bind_group, &[]);
+        pass.set_index_buffer(elements.slice(..), wgpu::IndexFormat::Uint32);
+        pass.set_stencil_reference(0);
+        let mut draw_calls = 0;
+        for (pipeline, faces) in draws.iter().filter(|(_, faces)| !faces.is_empty()) {
+            pass.set_pipeline(pipeline);
+            draw_calls += faces.record(&mut pass);
+        }
+        drop(pass);
+        stage.count_draws(draw_calls);
     }
 }
 
-fn draw(
-    stage: &mut Stage<'_, '_>,
+/// A pass over depth and stencil as they are, and over counts that are blended.
+fn pass<'s>(
+    stage: &'s mut Stage<'_, '_>,
     resources: &FrameResources,
-    elements: &wgpu::Buffer,
-    draws: &[(&wgpu::RenderPipeline, &FaceDraws)],
-) {
-    let mut pass = stage
-        .encoder()
-        .begin_render_pass(&wgpu::RenderPassDescriptor {
-            label: Some("volumes"),
-            depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
-                view: &resources.targets.depth_view,
-                depth_ops: Some(wgpu::Operations {
-                    load: wgpu::LoadOp::Load,
-                    store: wgpu::StoreOp::Store,
-                }),
-                stencil_ops: Some(wgpu::Operations {
-                    load: wgpu::LoadOp::Load,
-                    store: wgpu::StoreOp::Store,
-                }),
+    blended: Option<wgpu::RenderPassColorAttachment<'_>>,
+) -> wgpu::RenderPass<'s> {
+    let as_it_is = wgpu::LoadOp::Load;
+    let store = wgpu::StoreOp::Store;
+    let blended = blended.map(|counts| [Some(counts)]);
+    let encoder = stage.encoder();
+    encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+        label: Some("volumes"),
+        color_attachments: blended.as_ref().map_or(&[][..], |counts| &counts[..]),
+        depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
+            view: &resources.targets.depth_view,
+            depth_ops: Some(wgpu::Operations {
+                load: as_it_is,
+                store,
             }),
-            ..Default::default()
-        });
-    pass.set_bind_group(0, &resources.uniform.bind_group, &[]);
-    pass.set_bind_group(1, &resources.scene.bind_group, &[]);
-    pass.set_index_buffer(elements.slice(..), wgpu::IndexFormat::Uint32);
-    pass.set_stencil_reference(0);
-    let mut draw_calls = 0;
-    for (pipeline, faces) in draws.iter().filter(|(_, faces)| !faces.is_empty()) {
-        pass.set_pipeline(pipeline);
-        draw_calls += faces.record(&mut pass);
-    }
-    drop(pass);
-    stage.count_draws(draw_calls);
+            stencil_ops: Some(wgpu::Operations {
+                load: wgpu::LoadOp::Load,
+                store,
+            }),
+        }),
+        ..Default::default()
+    })
 }
 
 /// Whether corners have numbers for all vertices.
@@ -215,6 +260,19 @@ fn check(mesh: &Mesh) -> Result<(), MethodError> {
         return Err(MethodError::Unavailable(message));
     }
     Ok(())
+}
+
+/// Tests for a fragment shader that counts, from those for the stencil: it runs where the stencil would have counted.
+fn count_in_shader(count: Count, tests: &mut wgpu::DepthStencilState) {
+    use wgpu::CompareFunction::{Greater, GreaterEqual, Less, LessEqual};
+    tests.stencil = wgpu::StencilState::default();
+    if count == Count::DepthFails {
+        tests.depth_compare = tests.depth_compare.map(|passes| match passes {
+            Greater => LessEqual,
+            Less => GreaterEqual,
+            other => unreachable!("volumes are not tested with {other:?}"),
+        });
+    }
 }
 
 /// Front faces wind counter-clockwise. Counting wraps around; depth is never written.

@@ -3,6 +3,7 @@
 mod accuracy;
 mod common;
 mod contract;
+mod counters;
 mod counting;
 mod facing;
 mod faults;

@@ -27,7 +27,7 @@ fn methods(ids: &[&str]) -> Vec<Box<dyn ShadowMethod>> {
 }
 
 /// Artifact pixels of a method at a value of a cause.
-fn artifacts(judge: &Judge, id: &str, cause: &str, value: f64) -> u64 {
+pub(crate) fn artifacts(judge: &Judge, id: &str, cause: &str, value: f64) -> u64 {
     let scene = find_cause(cause).unwrap().scene(value, 0);
     let trial = judge.trial(&scene, &methods(&[id]));
     assert!(trial.attempts[0].drawn().is_some(), "{id} at {cause}");

@@ -13,3 +13,11 @@ fn corner(@builtin(vertex_index) number: u32) -> @invariant @builtin(position) v
     }
     return clip_far(p, place - 1u);
 }
+
+// What a face adds to a count where it is seen from outside of the volume; from inside it takes it away.
+override seen_from_outside: f32 = 1.0;
+
+@fragment
+fn count(@builtin(front_facing) is_outside: bool) -> @location(0) f32 {
+    return select(-seen_from_outside, seen_from_outside, is_outside);
+}

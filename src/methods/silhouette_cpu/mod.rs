@@ -6,6 +6,7 @@ mod extraction;
 mod faces;
 
 use super::capping::{CappedPlan, Capping, Caps, fan_apexes};
+use super::counter::{COUNTER_WORDS, Counter};
 use super::plan::Planner;
 use super::portable_volumes::{Corners, FaceDraws, PortableVolumes};
 use super::volume_parameters::{CASTING_WORDS, Plan, VolumeParameters, refuse_both};
@@ -47,6 +48,8 @@ parameters! {
             CASTING_WORDS;
         caps: Caps = Caps::Fan,
             "what caps are made of in z_fail: fan (over the silhouette, of closed objects), triangles, far_triangles";
+        counter: Counter = Counter::Stencil8,
+            COUNTER_WORDS;
         ..volume: VolumeParameters;
     }
 }
@@ -89,7 +92,7 @@ impl ShadowMethod for SilhouetteCpu {
             extractor: Extractor::new(self.extraction, self.hextree_depth, &mesh, &topology),
             silhouette: Vec::new(),
             keep: self.keep,
-            volumes: PortableVolumes::new(context, &volume)?,
+            volumes: PortableVolumes::new(context, &volume, self.counter)?,
             facings: Facings::new(&mesh),
             of_triangles: vec![0; mesh.triangles.len()],
             elements: elements(context.gpu, 0)?,
@@ -182,20 +185,21 @@ impl PreparedMethod for CpuVolumes {
             })?,
         };
         frame.stage(VOLUMES_STAGE, |stage| {
+            self.volumes.counts.begin(stage);
             self.volumes
                 .record(stage, resources, &self.elements, &corners);
         });
         self.volumes
-            .resolve
-            .record(frame, RESOLVE_STAGE, plan.near_count);
+            .counts
+            .resolve(frame, RESOLVE_STAGE, plan.near_count)?;
         if let Some(near_count) = plan.near_count_of_rest {
             frame.stage(OPEN_EDGES_STAGE, |stage| {
                 self.volumes
                     .record_open_edges(stage, resources, &self.elements, &corners);
             });
             self.volumes
-                .resolve
-                .record(frame, RESOLVE_REST_STAGE, near_count);
+                .counts
+                .resolve(frame, RESOLVE_REST_STAGE, near_count)?;
         }
         self.kept = Some(Kept {
             light,

@@ -9,6 +9,7 @@ mod plans;
 mod tables;
 
 use super::capping::{Capping, Caps};
+use super::counter::{COUNTER_WORDS, Counter};
 use super::plan::Planner;
 use super::portable_volumes::PortableVolumes;
 use super::volume_parameters::{CASTING_WORDS, Plan, VolumeParameters, refuse_both};
@@ -66,6 +67,8 @@ parameters! {
             CASTING_WORDS;
         caps: Caps = Caps::Fan,
             "what caps are made of in z_fail: fan (over the silhouette, of closed objects), triangles, far_triangles";
+        counter: Counter = Counter::Stencil8,
+            COUNTER_WORDS;
         ..volume: VolumeParameters;
     }
 }
@@ -99,7 +102,7 @@ impl ShadowMethod for SilhouetteCs {
         };
         Ok(Box::new(CsVolumes {
             extractor: Extractor::new(context, self, &capping)?,
-            volumes: PortableVolumes::new(context, &volume)?,
+            volumes: PortableVolumes::new(context, &volume, self.counter)?,
             planner: Planner::new(context, volume, casting, Determinism::default()),
             capping,
             drawn: DrawnVolumes::default(),
@@ -137,14 +140,15 @@ impl PreparedMethod for CsVolumes {
         } = self;
         let elements = extractor.elements();
         frame.stage(VOLUMES_STAGE, |stage| {
+            volumes.counts.begin(stage);
             for round in 0..extractor.rounds() {
                 extractor.emit(stage, &plans, round);
                 let corners = extractor.corners(&plans, round);
                 volumes.record(stage, resources, elements, &corners);
             }
         });
-        let resolve = &volumes.resolve;
-        resolve.record(frame, RESOLVE_STAGE, plan.near_count);
+        let counts = &volumes.counts;
+        counts.resolve(frame, RESOLVE_STAGE, plan.near_count)?;
         if let Some(near_count) = plan.near_count_of_rest {
             frame.stage(OPEN_EDGES_STAGE, |stage| {
                 for round in 0..extractor.rounds() {
@@ -156,7 +160,7 @@ impl PreparedMethod for CsVolumes {
                     volumes.record_open_edges(stage, resources, elements, &corners);
                 }
             });
-            resolve.record(frame, RESOLVE_REST_STAGE, near_count);
+            counts.resolve(frame, RESOLVE_REST_STAGE, near_count)?;
         }
         self.drawn = plan.drawn();
         Ok(())

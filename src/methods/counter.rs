@@ -1,0 +1,74 @@
+//! Where volumes are counted.
+
+use super::{MethodError, PrepareContext};
+use crate::frame::{BlendedCounts, DepthSetup, Frame, StencilResolve};
+use crate::gpu::{Capability, Stage};
+use serde::{Deserialize, Serialize};
+
+/// Where volumes are counted.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub(super) enum Counter {
+    /// In the stencil buffer, whose eight bits are 0 again at 256.
+    #[default]
+    Stencil8,
+    /// In a picture of 16-bit floats, by blending: exact up to 2048.
+    Blend16,
+    /// In one of 32-bit floats: exact up to 2²⁴.
+    Blend32,
+}
+
+/// What the parameter means.
+pub(super) const COUNTER_WORDS: &str =
+    "where volumes are counted: stencil8 (0 again at 256), blend16, blend32 (floats, by blending)";
+
+/// Counts of a frame, and how they come to the mask.
+pub(super) enum Counts {
+    Stencil(StencilResolve),
+    Blended(Box<BlendedCounts>),
+}
+
+impl Counts {
+    pub(super) fn new(
+        context: &PrepareContext<'_>,
+        counter: Counter,
+        depth: DepthSetup,
+    ) -> Result<Self, MethodError> {
+        let PrepareContext { gpu, resources, .. } = context;
+        let bits = match counter {
+            Counter::Stencil8 => return Ok(Self::Stencil(StencilResolve::new(gpu, depth))),
+            Counter::Blend16 => 16,
+            Counter::Blend32 => 32,
+        };
+        if bits == 32 {
+            let unable = gpu.check(Capability::FloatBlending);
+            unable
+                .map_err(|reason| MethodError::Unavailable(format!("counter=blend32: {reason}")))?;
+        }
+        let counts = BlendedCounts::new(gpu, resources, bits)?;
+        Ok(Self::Blended(Box::new(counts)))
+    }
+
+    /// Begins a frame. The G-buffer stage has cleared the stencil buffer.
+    pub(super) fn begin(&self, stage: &mut Stage<'_, '_>) {
+        if let Self::Blended(counts) = self {
+            counts.clear(stage.encoder());
+        }
+    }
+
+    /// Records a stage that adds to the mask what has a count, where counting began with `begun_with` instead of 0.
+    pub(super) fn resolve(
+        &self,
+        frame: &mut Frame<'_>,
+        stage: &'static str,
+        begun_with: i32,
+    ) -> anyhow::Result<()> {
+        match self {
+            Self::Stencil(resolve) => {
+                resolve.record(frame, stage, begun_with);
+                Ok(())
+            }
+            Self::Blended(counts) => counts.record(frame, stage, begun_with),
+        }
+    }
+}

@@ -1,0 +1,56 @@
+//! Counts beyond the stencil: where eight bits suffice they give the same mask, and they go on where those are 0 again.
+#![allow(clippy::unwrap_used, reason = "tests")]
+
+use crate::common::device;
+use crate::silhouette_cpu::{draw, scenes};
+use crate::stability::artifacts;
+use svbench::judge::Judge;
+
+const COUNTERS: [&str; 2] = ["counter=blend16", "counter=blend32"];
+
+const VARIANTS: [&str; 5] = [
+    "silhouette_cpu",
+    "silhouette_cpu,counting=z_pass_counted,casting=each_side",
+    "silhouette_cpu,caps=triangles,front_cap=in_place",
+    "silhouette_cs,plan=auto",
+    "silhouette_cs,faces_mib=1,casting=all",
+];
+
+#[test]
+fn small_counts_are_those_of_the_stencil() {
+    let gpu = device();
+    for (number, scene) in scenes().iter().enumerate() {
+        for (other, variant) in VARIANTS.iter().enumerate() {
+            let counter = COUNTERS[(number + other) % COUNTERS.len()];
+            let by_stencil = draw(&gpu, scene, variant, 1);
+            let blended = draw(&gpu, scene, &format!("{variant},{counter}"), 1);
+            let is_same = by_stencil[0].0 == blended[0].0;
+            assert!(is_same, "{}: {variant},{counter}", scene.name);
+        }
+    }
+}
+
+#[test]
+fn counts_may_go_beyond_eight_bits() {
+    let gpu = device();
+    let judge = Judge::new(&gpu, (160, 120));
+    for method in [
+        "silhouette_cpu",
+        "silhouette_cs",
+        "silhouette_cs,casting=all",
+    ] {
+        for (cause, counts) in [
+            ("stacked_sheets", [256.0, 512.0, 600.0]),
+            ("nested_shells", [128.0, 256.0, 300.0]),
+        ] {
+            for count in counts {
+                for counter in COUNTERS {
+                    let wrong = artifacts(&judge, &format!("{method},{counter}"), cause, count);
+                    assert!(wrong <= 5, "{method},{counter}: {wrong} at {cause} {count}");
+                }
+            }
+            let wraps = artifacts(&judge, method, cause, counts[1]);
+            assert!(wraps > 100, "{method}: {wraps} at {cause} {}", counts[1]);
+        }
+    }
+}
