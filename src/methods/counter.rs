@@ -49,6 +49,22 @@ impl Counts {
         Ok(Self::Blended(Box::new(counts)))
     }
 
+    /// What pipelines add to, where their fragment shaders count.
+    pub(super) fn target(&self) -> Option<wgpu::ColorTargetState> {
+        match self {
+            Self::Stencil(_) => None,
+            Self::Blended(counts) => Some(counts.target()),
+        }
+    }
+
+    /// The same in a pass.
+    pub(super) fn attachment(&self) -> Option<wgpu::RenderPassColorAttachment<'_>> {
+        match self {
+            Self::Stencil(_) => None,
+            Self::Blended(counts) => Some(counts.attachment()),
+        }
+    }
+
     /// Begins a frame. The G-buffer stage has cleared the stencil buffer.
     pub(super) fn begin(&self, stage: &mut Stage<'_, '_>) {
         if let Self::Blended(counts) = self {

@@ -28,6 +28,7 @@ pub(super) static INFO: MethodInfo = MethodInfo {
                 text: "a light much farther away than the scene is large: the whole scene falls into a few texels, and \
                        its shadows are coarse or missing",
                 with: &[],
+                unless: &[],
                 fails: &[("light_distance", 3.0)],
                 kinds: &[Label::Staircase, Label::DetachedShadow],
                 at_most: Bound::Share(0.5),

@@ -20,6 +20,7 @@ pub(super) const LIMITS: &[Limit] = &[
     Limit {
         text: "edges are as coarse as the map's texels, and the slope bias detaches shadows by as much",
         with: &[],
+        unless: &[],
         fails: &[],
         kinds: &[Label::Staircase, Label::DetachedShadow],
         at_most: Bound::Share(0.1),
@@ -28,6 +29,7 @@ pub(super) const LIMITS: &[Limit] = &[
         text: "errors of a texel or two where surfaces are thin, steep or close together: some acne, some of no \
                clear kind",
         with: &[],
+        unless: &[],
         fails: &[],
         kinds: &[Label::Acne, Label::Unlabelled],
         at_most: Bound::Share(0.03),
@@ -35,6 +37,7 @@ pub(super) const LIMITS: &[Limit] = &[
     Limit {
         text: "slope_bias=0: acne on every surface that does not face the light squarely, in any scene",
         with: &[("slope_bias", "0.0")],
+        unless: &[],
         fails: &[],
         kinds: &[Label::Acne, Label::Seam, Label::Grazing, Label::Unlabelled],
         at_most: Bound::Share(0.9),

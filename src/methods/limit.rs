@@ -13,6 +13,8 @@ pub struct Limit {
     pub text: &'static str,
     /// The parameters, name and value, with any of which it holds; with none, it always holds.
     pub with: &'static [(&'static str, &'static str)],
+    /// Those with any of which it does not hold.
+    pub unless: &'static [(&'static str, &'static str)],
     /// The causes of the stress corpus that fail by it, each with the value from which on they do.
     pub fails: &'static [(&'static str, f64)],
     /// Kinds of error that it leaves in any scene.
@@ -62,6 +64,7 @@ impl Limit {
         Self {
             text,
             with: &[],
+            unless: &[],
             fails: &[],
             kinds: &[],
             at_most: Bound::All,
@@ -71,7 +74,8 @@ impl Limit {
     /// Whether it holds for a variant of its method.
     fn holds(&self, variant: &Variant) -> bool {
         let is_set = |(name, value): &(&str, &str)| variant.get(name) == Some(value);
-        self.with.is_empty() || self.with.iter().any(is_set)
+        let holds = self.with.is_empty() || self.with.iter().any(is_set);
+        holds && !self.unless.iter().any(is_set)
     }
 
     /// Whether it stands for a cause at a value.
@@ -86,6 +90,7 @@ pub(super) const PRECISION_LIMIT: Limit = Limit {
     text: "vertices are projected in 32-bit floats: wrong where coordinates are a million times as large as \
            what the picture shows",
     with: &[],
+    unless: &[],
     fails: &[("translation", 6.0), ("large_triangles", 6.0)],
     kinds: &[],
     at_most: Bound::Share(0.2),
@@ -102,6 +107,23 @@ impl MethodInfo {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_limit_holds_with_some_parameters_and_not_with_others() {
+        let limit = Limit {
+            unless: &[("counter", "blend16"), ("counter", "blend32")],
+            ..Limit::in_words("wraps around")
+        };
+        let holds = |variant: &str| limit.holds(&variant.parse().unwrap());
+        assert!(holds("") && holds("counting=auto"));
+        assert!(!holds("counter=blend32,counting=auto"));
+        let only_with = Limit {
+            with: &[("counting", "auto")],
+            ..limit.clone()
+        };
+        let holds = |variant: &str| only_with.holds(&variant.parse().unwrap());
+        assert!(holds("counting=auto") && !holds("") && !holds("counting=auto,counter=blend16"));
+    }
 
     #[test]
     fn bounds_are_of_pixels_or_of_the_picture() {

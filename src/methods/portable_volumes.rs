@@ -122,42 +122,14 @@ impl PortableVolumes {
             ..Default::default()
         });
         let counts = Counts::new(context, counter, parameters.depth_setup())?;
-        let pipeline = |count: Count| {
-            let blended = match &counts {
-                Counts::Stencil(_) => None,
-                Counts::Blended(counts) => Some([Some(counts.target())]),
-            };
-            let from_outside = [("seen_from_outside", count.of_front_face())];
-            let fragment = blended.as_ref().map(|targets| wgpu::FragmentState {
-                module: &module,
-                entry_point: Some("count"),
-                compilation_options: wgpu::PipelineCompilationOptions {
-                    constants: &from_outside,
-                    ..Default::default()
-                },
-                targets,
-            });
-            let depth_format = resources.targets.depth.format();
+        let target = counts.target();
+        let depth_format = resources.targets.depth.format();
+        let pipeline = |count| {
             let mut tests = depth_stencil(count, depth_format, parameters);
-            if blended.is_some() {
+            if target.is_some() {
                 count_in_shader(count, &mut tests);
             }
-            device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-                label: Some("volumes"),
-                layout: Some(&layout),
-                vertex: wgpu::VertexState {
-                    module: &module,
-                    entry_point: Some("corner"),
-                    compilation_options: wgpu::PipelineCompilationOptions::default(),
-                    buffers: &[],
-                },
-                primitive: wgpu::PrimitiveState::default(),
-                depth_stencil: Some(tests),
-                multisample: wgpu::MultisampleState::default(),
-                fragment,
-                multiview_mask: None,
-                cache: None,
-            })
+            pipeline(device, (&module, &layout), count, tests, target.as_ref())
         };
         Ok(Self {
             depth_passes: pipeline(Count::DepthPasses),
@@ -202,11 +174,7 @@ impl PortableVolumes {
         elements: &wgpu::Buffer,
         draws: &[(&wgpu::RenderPipeline, &FaceDraws)],
     ) {
-        let blended = match &self.counts {
-            Counts::Stencil(_) => None,
-            Counts::Blended(counts) => Some(counts.attachment()),
-        };
-        let mut pass = pass(stage, resources, blended);
+        let mut pass = pass(stage, resources, self.counts.attachment());
         pass.set_bind_group(0, &resources.uniform.bind_group, &[]);
         pass.set_bind_group(1, &resources.scene.bind_group, &[]);
         pass.set_index_buffer(elements.slice(..), wgpu::IndexFormat::Uint32);
@@ -221,6 +189,42 @@ impl PortableVolumes {
     }
 }
 
+/// A pipeline that counts faces: in the stencil by its tests, or in a target by a fragment shader.
+fn pipeline(
+    device: &wgpu::Device,
+    (module, layout): (&wgpu::ShaderModule, &wgpu::PipelineLayout),
+    count: Count,
+    tests: wgpu::DepthStencilState,
+    target: Option<&wgpu::ColorTargetState>,
+) -> wgpu::RenderPipeline {
+    let targets = [target.cloned()];
+    let constants = [("seen_from_outside", count.of_front_face())];
+    device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+        label: Some("volumes"),
+        layout: Some(layout),
+        vertex: wgpu::VertexState {
+            module,
+            entry_point: Some("corner"),
+            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            buffers: &[],
+        },
+        primitive: wgpu::PrimitiveState::default(),
+        depth_stencil: Some(tests),
+        multisample: wgpu::MultisampleState::default(),
+        fragment: target.map(|_| wgpu::FragmentState {
+            module,
+            entry_point: Some("count"),
+            compilation_options: wgpu::PipelineCompilationOptions {
+                constants: &constants,
+                ..Default::default()
+            },
+            targets: &targets,
+        }),
+        multiview_mask: None,
+        cache: None,
+    })
+}
+
 /// A pass over depth and stencil as they are, and over counts that are blended.
 fn pass<'s>(
     stage: &'s mut Stage<'_, '_>,
@@ -229,11 +233,11 @@ fn pass<'s>(
 ) -> wgpu::RenderPass<'s> {
     let as_it_is = wgpu::LoadOp::Load;
     let store = wgpu::StoreOp::Store;
-    let blended = blended.map(|counts| [Some(counts)]);
+    let colours: Vec<_> = blended.into_iter().map(Some).collect();
     let encoder = stage.encoder();
     encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
         label: Some("volumes"),
-        color_attachments: blended.as_ref().map_or(&[][..], |counts| &counts[..]),
+        color_attachments: &colours,
         depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
             view: &resources.targets.depth_view,
             depth_ops: Some(wgpu::Operations {

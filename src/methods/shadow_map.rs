@@ -25,6 +25,7 @@ pub(super) static INFO: MethodInfo = MethodInfo {
         &[Limit {
             text: "a light among the casters: whatever lies outside its widest frustum (150 degrees) is lit",
             with: &[],
+            unless: &[],
             fails: &[],
             kinds: &[Label::Uncovered],
             at_most: Bound::All,

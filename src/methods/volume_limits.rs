@@ -10,6 +10,7 @@ pub(super) const LIMITS: &[Limit] = &[
         text: "8-bit counter: wrong where a point lies in 256 single-triangle shadow volumes or a multiple of \
                that; a closed surface counts as two, with casting=light_facing as one",
         with: &[],
+        unless: &[("counter", "blend16"), ("counter", "blend32")],
         fails: &[],
         kinds: &[Label::Overflow],
         at_most: Bound::All,
@@ -17,6 +18,7 @@ pub(super) const LIMITS: &[Limit] = &[
     Limit {
         text: "counting=z_pass: wrong where the eye or part of the near rectangle lies in a shadow volume",
         with: &[("counting", "z_pass")],
+        unless: &[],
         fails: &[
             ("eye_in_volume", 0.45),
             ("near_plane_cuts_caster", 1.5),
@@ -32,6 +34,7 @@ pub(super) const LIMITS: &[Limit] = &[
         text: "front_cap=in_place: wrong in any scene, mostly acne, where the depths of a cap and of its own surface \
                differ in the last bit; push_back_px removes most of it",
         with: &[("front_cap", "in_place")],
+        unless: &[],
         fails: &[],
         kinds: &[
             Label::Acne,
@@ -48,6 +51,7 @@ pub(super) const LIMITS: &[Limit] = &[
         text: "depth=standard: far from the eye, the depth buffer cannot separate volumes from the surfaces they \
                start from",
         with: &[("depth", "standard")],
+        unless: &[],
         fails: &[
             ("far_casters", 5.0),
             ("large_triangles", 5.0),
@@ -65,6 +69,7 @@ pub(super) const LIMITS: &[Limit] = &[
         text: "a wrong pixel or two beside a clipped edge, or beside an edge whose side quad has the same depth as \
                the surface after rounding, in about one of a thousand random scenes",
         with: &[],
+        unless: &[],
         fails: &[],
         kinds: &[Label::Unlabelled],
         at_most: Bound::Px(2),
@@ -73,6 +78,7 @@ pub(super) const LIMITS: &[Limit] = &[
         text: "single wrong pixels where a side quad lies in the surface it starts from, but for the last bit of \
                depth: on surfaces edge-on to the light, and where coplanar triangles overlap",
         with: &[],
+        unless: &[],
         fails: &[("coplanar_overlap", 64.0)],
         kinds: &[Label::Grazing],
         at_most: Bound::Px(16),
@@ -83,6 +89,7 @@ pub(super) const LIMITS: &[Limit] = &[
 pub(super) const STAGE_LIMITS: &[Limit] = &[Limit {
     text: "determinism=none: leaks where a triangle is nearly edge-on to the light and its edges disagree",
     with: &[("determinism", "none")],
+    unless: &[],
     fails: &[
         ("edge_on", 0.0),
         ("collinear", 0.01),
@@ -98,6 +105,7 @@ pub(super) const TRIANGLE_LIMITS: &[Limit] = &[Limit {
     text: "single wrong pixels at edges between triangles, where the side quads of both should cancel; \
            anywhere in the picture where hundreds of such edges cast shadows",
     with: &[],
+    unless: &[],
     fails: &[("nested_shells", 129.0)],
     kinds: &[Label::Seam],
     at_most: Bound::Px(16),

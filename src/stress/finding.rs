@@ -100,6 +100,7 @@ mod tests {
     const SPECKS: Limit = Limit {
         text: "specks",
         with: &[],
+        unless: &[],
         fails: &[("fan", 3.0)],
         kinds: &[Label::Seam],
         at_most: Bound::Px(5),
@@ -107,6 +108,7 @@ mod tests {
     const SHARE: Limit = Limit {
         text: "a share",
         with: &[],
+        unless: &[],
         fails: &[],
         kinds: &[Label::Acne, Label::Staircase],
         at_most: Bound::Share(0.01),
@@ -114,6 +116,7 @@ mod tests {
     const EVERYTHING: Limit = Limit {
         text: "everything",
         with: &[],
+        unless: &[],
         fails: &[],
         kinds: &[Label::Overflow],
         at_most: Bound::All,
