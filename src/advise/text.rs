@@ -211,17 +211,17 @@ impl Advice {
         let Some((pick, alike)) = picks.split_first() else {
             return "advice: none; no method is exact here".to_owned();
         };
-        let gain = self
-            .full()
-            .and_then(|full| full.quartiles_of_ratio(pick))
-            .map_or(1.0, |[_, gain, _]| gain);
-        if pick.method == FULL || picks.iter().any(|method| method.method == FULL) {
+        let gain = self.full().and_then(|full| full.quartiles_of_ratio(pick));
+        if picks.iter().any(|method| method.method == FULL) {
             return format!(
                 "advice: any exact method; none is clearly faster than {FULL}{}",
                 self.faster_than(pick)
             );
         }
-        let mut advice = format!("advice: {}, {gain:.1} times as fast as {FULL}", pick.method);
+        let mut advice = format!("advice: {}", pick.method);
+        if let Some([_, gain, _]) = gain {
+            advice.push_str(&format!(", {gain:.1} times as fast as {FULL}"));
+        }
         if !alike.is_empty() {
             let names: Vec<_> = alike.iter().map(|method| &*method.method).collect();
             advice.push_str(&format!(
@@ -255,7 +255,8 @@ impl Advice {
     }
 
     fn reasons(&self, pick: &Measured) -> Vec<String> {
-        let Some(drawn) = pick.drawn else {
+        let has_plan = pick.method.contains("plan=auto");
+        let Some(drawn) = pick.drawn.filter(|_| has_plan) else {
             return Vec::new();
         };
         let objects = drawn.z_pass + drawn.z_fail;
@@ -319,7 +320,7 @@ mod tests {
             shadow_ms: Ok(vec![shadow_ms, 2.0 * shadow_ms]),
             wrong_px: artifact_px + 1,
             artifact_px,
-            drawn: method.contains("plan=auto").then_some(DrawnVolumes {
+            drawn: method.starts_with("silhouette").then_some(DrawnVolumes {
                 z_pass: 16,
                 light_facing: 16,
                 ..DrawnVolumes::default()
@@ -386,6 +387,18 @@ mod tests {
         let alike = advice(vec![measured(FULL, 40.0, 7), measured("other", 20.0, 7)]);
         let picks: Vec<_> = alike.picks().iter().map(|method| &*method.method).collect();
         assert_eq!(picks, ["other"]);
+    }
+
+    #[test]
+    fn without_whole_volumes_or_a_plan_nothing_is_said_of_them() {
+        let mut full = measured(FULL, 40.0, 0);
+        full.shadow_ms = Err("needs geometry shaders".to_owned());
+        let advice = advice(vec![full, measured("silhouette_cpu,counting=auto", 9.0, 0)]);
+        let text = advice.to_string();
+        assert!(
+            text.ends_with("\nadvice: silhouette_cpu,counting=auto\n"),
+            "{text}"
+        );
     }
 
     #[test]

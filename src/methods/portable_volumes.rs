@@ -1,5 +1,4 @@
 //! Shadow volumes whose faces are lists of corners, counted in the stencil buffer by wgpu's own passes: no native stage.
-//!
 use super::counter::{Counter, Counts};
 use super::volume_parameters::VolumeParameters;
 use super::{MethodError, PrepareContext};

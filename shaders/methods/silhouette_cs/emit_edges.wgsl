@@ -29,6 +29,9 @@ fn emit_sides(first: u32, edge: vec4<u32>, multiplicity: i32, plan: Plan) -> u32
 
 // The triangles of caps between an edge and where the fan of its part of the surface meets.
 fn emit_fans(first: u32, edge: vec4<u32>, multiplicity: i32, plan: Plan) -> u32 {
+    if !plan.fan_in_front && !plan.fan_behind {
+        return first;
+    }
     let apex = apexes[edge.x];
     let is_left = multiplicity > 0;
     let left = select(edge.y, edge.x, is_left);

@@ -60,12 +60,16 @@ impl Tables {
         let (edges, sides) = edges_and_sides(casters, extraction);
         let apexes = match caps {
             Caps::Fan => fan_apexes(mesh, topology),
-            Caps::Triangles | Caps::FarTriangles => vec![0; mesh.positions.len()],
+            Caps::Triangles | Caps::FarTriangles => Vec::new(),
         };
         let triangles = mesh.triangles.len() as u64;
         let most_corners = most_corners(casters, sides.len() as u64);
         let most_bytes = most_bytes.min(most_bytes_of_device(gpu));
         let corners_a_round = most_corners.min(most_bytes / 12 * 3).max(3);
+        if most_corners + corners_a_round > u64::from(u32::MAX) {
+            let message = format!("{triangles} triangles may have more faces than it can number");
+            return Err(MethodError::Unavailable(message));
+        }
         let words = |what: &str, contents: &[u32]| words(gpu, what, contents);
         let empty = |what: &str, words: u64, usage| {
             gpu.empty_buffer(what, 4 * words, Usage::STORAGE | usage)
