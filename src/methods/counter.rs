@@ -38,13 +38,13 @@ impl Counts {
         let bits = match counter {
             Counter::Stencil8 => return Ok(Self::Stencil(StencilResolve::new(gpu, depth))),
             Counter::Blend16 => 16,
-            Counter::Blend32 => 32,
+            Counter::Blend32 => {
+                let unable =
+                    |reason| MethodError::Unavailable(format!("counter=blend32: {reason}"));
+                gpu.check(Capability::FloatBlending).map_err(unable)?;
+                32
+            }
         };
-        if bits == 32 {
-            let unable = gpu.check(Capability::FloatBlending);
-            unable
-                .map_err(|reason| MethodError::Unavailable(format!("counter=blend32: {reason}")))?;
-        }
         let counts = BlendedCounts::new(gpu, resources, bits)?;
         Ok(Self::Blended(Box::new(counts)))
     }

@@ -1,4 +1,5 @@
-//! Shadow volumes whose faces are lists of corners, counted in the stencil buffer by wgpu's own passes: no native stage.
+//! Shadow volumes whose faces are lists of corners, counted by wgpu's own passes: no native stage.
+
 use super::counter::{Counter, Counts};
 use super::volume_parameters::VolumeParameters;
 use super::{MethodError, PrepareContext};
@@ -63,6 +64,9 @@ pub(super) enum FaceDraws {
     /// As the device has counted them: these draws of a buffer, a call each.
     Indirect(wgpu::Buffer, Range<u32>),
 }
+
+/// Name of the stage that finds silhouettes.
+pub(super) const EXTRACT_STAGE: &str = "extract";
 
 /// Bytes of an indirect draw: five numbers of 32 bits.
 pub(super) const INDIRECT_BYTES: u64 = 20;

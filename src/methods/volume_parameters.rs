@@ -156,10 +156,7 @@ impl StageVolumeParameters {
     /// # Errors
     /// When one that the plan decides is set as well.
     pub(super) fn planned(mut self, light: &LightPath) -> Result<Self, MethodError> {
-        if self.plan == Plan::Auto {
-            refuse_both("casting", self.casting != Self::default().casting)?;
-            self.casting = Casting::EachSide;
-        }
+        self.casting = self.planned_casting(self.casting, Self::default().casting)?;
         self.volume = self.volume.planned(light)?;
         Ok(self)
     }
@@ -205,6 +202,22 @@ impl VolumeParameters {
             }
         }
         Ok(self)
+    }
+
+    /// What casts, if a method has `usual` where nothing is set: [`Plan::Auto`] decides it.
+    ///
+    /// # Errors
+    /// When it is set as well.
+    pub(super) fn planned_casting(
+        &self,
+        casting: Casting,
+        usual: Casting,
+    ) -> Result<Casting, MethodError> {
+        if self.plan == Plan::Auto {
+            refuse_both("casting", casting != usual)?;
+            return Ok(Casting::EachSide);
+        }
+        Ok(casting)
     }
 
     /// The context of a method with these parameters, with the triangles that cast.

@@ -1,16 +1,16 @@
 // Asks every edge, by the facings of all triangles, and marks those with faces.
 #include "methods/silhouette_cs/blocks.wgsl"
+#include "methods/silhouette_cs/facing_bits.wgsl"
 #include "methods/silhouette_cs/multiplicity.wgsl"
 
-// See facings.wgsl.
+// See find_facings.wgsl.
 @group(1) @binding(5) var<storage, read> facings: array<vec2<u32>>;
 // A bit for each edge of a block.
 @group(1) @binding(6) var<storage, read_write> marks: array<u32>;
 
 // The facing along its edge of the triangle of this number.
 fn facing_along(triangle: u32, along: i32) -> i32 {
-    let bits = (facings[triangle / 32u] >> vec2<u32>(triangle % 32u)) & vec2<u32>(1u);
-    return along * (i32(bits.x) - i32(bits.y));
+    return along * facing_in(facings[triangle / 32u], triangle);
 }
 
 @compute @workgroup_size(64)

@@ -1,11 +1,11 @@
 #include "methods/silhouette_cs/blocks.wgsl"
+#include "methods/silhouette_cs/facing_bits.wgsl"
 
-// See facings.wgsl.
+// See find_facings.wgsl.
 @group(1) @binding(2) var<storage, read> facings: array<vec2<u32>>;
 
 fn facing_of(triangle: u32) -> i32 {
-    let bits = (facings[triangle / 32u] >> vec2<u32>(triangle % 32u)) & vec2<u32>(1u);
-    return i32(bits.x) - i32(bits.y);
+    return facing_in(facings[triangle / 32u], triangle);
 }
 
 // Whether front caps are counted wherever they are, and whether back caps are made of the triangles that do not cast.

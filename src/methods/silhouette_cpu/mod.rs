@@ -8,8 +8,8 @@ mod faces;
 use super::capping::{CappedPlan, Capping, Caps, fan_apexes};
 use super::counter::{COUNTER_WORDS, Counter};
 use super::plan::Planner;
-use super::portable_volumes::{Corners, FaceDraws, PortableVolumes};
-use super::volume_parameters::{CASTING_WORDS, Plan, VolumeParameters, refuse_both};
+use super::portable_volumes::{Corners, EXTRACT_STAGE, FaceDraws, PortableVolumes};
+use super::volume_parameters::{CASTING_WORDS, VolumeParameters};
 use super::volumes::{CHOOSE_STAGE, OPEN_EDGES_STAGE, RESOLVE_REST_STAGE, STENCIL, VOLUMES_STAGE};
 use super::{MethodError, MethodInfo, PrepareContext, ShadowMethod, volume_limits};
 use crate::frame::{DepthSetup, DrawnVolumes, Frame, PreparedMethod, RESOLVE_STAGE};
@@ -68,11 +68,7 @@ impl ShadowMethod for SilhouetteCpu {
         context: &PrepareContext<'_>,
     ) -> Result<Box<dyn PreparedMethod>, MethodError> {
         let volume = self.volume.planned(&context.scene.flight.light)?;
-        let mut casting = self.casting;
-        if volume.plan == Plan::Auto {
-            refuse_both("casting", casting != Self::default().casting)?;
-            casting = Casting::EachSide;
-        }
+        let casting = volume.planned_casting(self.casting, Self::default().casting)?;
         let context = &volume.casters(context)?;
         let casters = &context.casters;
         let mesh = Arc::clone(&casters.mesh);
@@ -168,7 +164,7 @@ impl PreparedMethod for CpuVolumes {
             .take()
             .filter(|kept| self.keep && kept.light == light);
         if kept.is_none() {
-            frame.stage("extract", |stage| {
+            frame.stage(EXTRACT_STAGE, |stage| {
                 stage.on_processor(|| {
                     let silhouette = &mut self.silhouette;
                     self.extractor

@@ -37,29 +37,27 @@ pub(super) struct Kernels<'a> {
 }
 
 impl Kernels<'_> {
-    /// One of `invocations` in the file of this name.
+    /// One of `invocations`; its entry point has the name of its file.
     fn kernel(
         &self,
-        file: &str,
         entry_point: &str,
         constants: &[(&str, f64)],
         buffers: Bindings<'_>,
         invocations: u32,
     ) -> Kernel {
-        self.kernel_with(file, entry_point, constants, (&[], buffers), invocations)
+        self.kernel_with(entry_point, constants, (&[], buffers), invocations)
     }
 
     /// The same with uniforms.
     fn kernel_with(
         &self,
-        file: &str,
         entry_point: &str,
         constants: &[(&str, f64)],
         (uniforms, buffers): (Bindings<'_>, Bindings<'_>),
         invocations: u32,
     ) -> Kernel {
         let gpu = self.context.gpu;
-        let path = format!("methods/silhouette_cs/{file}.wgsl");
+        let path = format!("methods/silhouette_cs/{entry_point}.wgsl");
         let desc = KernelDesc {
             module: &shader::wgsl(&gpu.device, &path),
             entry_point,
@@ -79,7 +77,7 @@ impl Kernels<'_> {
         let words = self.context.casters.mesh.triangles.len().div_ceil(32) as u32;
         let uniforms = [(0, &self.context.resources.uniform.buffer)];
         let bound = (&uniforms[..], &buffers[..]);
-        self.kernel_with("facings", "find_facings", &[], bound, words)
+        self.kernel_with("find_facings", &[], bound, words)
     }
 
     pub(super) fn ask_clusters(&self, blocks: &Blocks) -> Result<Ask, DeviceError> {
@@ -126,13 +124,7 @@ impl Kernels<'_> {
         let buffers: Vec<_> = (0..).zip(buffers).collect();
         let uniforms = [(0, &resources.uniform.buffer), (1, &light)];
         let bound = (&uniforms[..], &buffers[..]);
-        let kernel = self.kernel_with(
-            "ask_clusters",
-            "ask_clusters",
-            &[],
-            bound,
-            clusters.boxes.len() as u32,
-        );
+        let kernel = self.kernel_with("ask_clusters", &[], bound, clusters.boxes.len() as u32);
         // The device has them.
         let clusters = clusters.without_edges();
         Ok(Ask::Clusters {
@@ -166,7 +158,7 @@ impl Kernels<'_> {
         } = self.tables;
         let buffers = [blocks, plans, edges, sides, multiplicities, facings, marks];
         let buffers: Vec<_> = (0..).zip(buffers).collect();
-        Ask::Facings(self.kernel("ask_facings", "ask_facings", &[], &buffers, self.count))
+        Ask::Facings(self.kernel("ask_facings", &[], &buffers, self.count))
     }
 
     pub(super) fn count_edges(&self) -> Kernel {
@@ -180,7 +172,7 @@ impl Kernels<'_> {
         } = self.tables;
         let buffers = [blocks, plans, marks, multiplicities, corners];
         let buffers: Vec<_> = (0..).zip(buffers).collect();
-        self.kernel("count_edges", "count_edges", &[], &buffers, self.count)
+        self.kernel("count_edges", &[], &buffers, self.count)
     }
 
     pub(super) fn count_triangles(&self, capping: &Capping) -> Kernel {
@@ -193,13 +185,7 @@ impl Kernels<'_> {
         } = self.tables;
         let buffers = [(0, blocks), (1, plans), (2, facings), (3, corners)];
         let constants = &caps_constants(capping);
-        self.kernel(
-            "count_triangles",
-            "count_triangles",
-            constants,
-            &buffers,
-            self.count,
-        )
+        self.kernel("count_triangles", constants, &buffers, self.count)
     }
 
     pub(super) fn emit(&self, capping: &Capping, round: u32) -> Emit {
@@ -240,7 +226,7 @@ impl Kernels<'_> {
             (9, elements),
         ];
         let constants = &self.round_constants(round);
-        self.kernel("emit_edges", "emit_edges", constants, &buffers, self.count)
+        self.kernel("emit_edges", constants, &buffers, self.count)
     }
 
     fn emit_triangles(&self, capping: &Capping, round: u32) -> Kernel {
@@ -262,19 +248,13 @@ impl Kernels<'_> {
             (9, elements),
         ];
         let constants = [caps_constants(capping), self.round_constants(round)].concat();
-        self.kernel(
-            "emit_triangles",
-            "emit_triangles",
-            &constants,
-            &buffers,
-            self.count,
-        )
+        self.kernel("emit_triangles", &constants, &buffers, self.count)
     }
 
     /// One workgroup.
     pub(super) fn sum_blocks(&self) -> Kernel {
         let buffers = [(0, &self.tables.corners)];
-        self.kernel("sum_blocks", "sum_blocks", &[], &buffers, 1)
+        self.kernel("sum_blocks", &[], &buffers, 1)
     }
 
     pub(super) fn make_draws(
@@ -289,7 +269,7 @@ impl Kernels<'_> {
             ("corners_a_round", self.tables.corners_a_round as f64),
             ("rounds", f64::from(self.tables.rounds)),
         ];
-        self.kernel("make_draws", "make_draws", &constants, &buffers, count)
+        self.kernel("make_draws", &constants, &buffers, count)
     }
 }
 

@@ -11,8 +11,8 @@ mod tables;
 use super::capping::{Capping, Caps};
 use super::counter::{COUNTER_WORDS, Counter};
 use super::plan::Planner;
-use super::portable_volumes::PortableVolumes;
-use super::volume_parameters::{CASTING_WORDS, Plan, VolumeParameters, refuse_both};
+use super::portable_volumes::{EXTRACT_STAGE, PortableVolumes};
+use super::volume_parameters::{CASTING_WORDS, VolumeParameters};
 use super::volumes::{CHOOSE_STAGE, OPEN_EDGES_STAGE, RESOLVE_REST_STAGE, STENCIL, VOLUMES_STAGE};
 use super::{MethodError, MethodInfo, PrepareContext, ShadowMethod, volume_limits};
 use crate::frame::{DepthSetup, DrawnVolumes, Frame, PreparedMethod, RESOLVE_STAGE};
@@ -87,11 +87,7 @@ impl ShadowMethod for SilhouetteCs {
         context: &PrepareContext<'_>,
     ) -> Result<Box<dyn PreparedMethod>, MethodError> {
         let volume = self.volume.planned(&context.scene.flight.light)?;
-        let mut casting = self.casting;
-        if volume.plan == Plan::Auto {
-            refuse_both("casting", casting != Self::default().casting)?;
-            casting = Casting::EachSide;
-        }
+        let casting = volume.planned_casting(self.casting, Self::default().casting)?;
         let context = &volume.casters(context)?;
         let casters = &context.casters;
         let triangles = casters.edge_triangles();
@@ -132,7 +128,7 @@ impl PreparedMethod for CsVolumes {
             })
         });
         let light = view.light.place;
-        frame.stage("extract", |stage| {
+        frame.stage(EXTRACT_STAGE, |stage| {
             self.extractor.extract(stage, &plans, light)
         })?;
         let Self {
