@@ -82,6 +82,11 @@ impl BlendedCounts {
         })
     }
 
+    /// Them.
+    pub fn texture(&self) -> &wgpu::Texture {
+        &self.counts
+    }
+
     /// What a pipeline adds to them.
     pub fn target(&self) -> wgpu::ColorTargetState {
         let add = wgpu::BlendComponent {

@@ -14,16 +14,16 @@ pub(super) enum Source {
     Wgpu(wgpu::Features),
     /// A feature of Vulkan's core set, which wgpu keeps to itself.
     VulkanFeature(fn(&mut vk::PhysicalDeviceFeatures) -> &mut vk::Bool32),
-    /// An extension of Vulkan that wgpu does not use, and the feature in it, if it has one.
+    /// An extension of Vulkan that wgpu does not use, and the features in it, if it has any.
     VulkanExtension(&'static CStr, Option<fn() -> Box<dyn ExtensionFeature>>),
     /// What optimally tiled images of a format can be used for in Vulkan; nothing to switch on.
     VulkanFormat(vk::Format, vk::FormatFeatureFlags),
 }
 
-/// A feature in a structure that an extension of Vulkan brings.
+/// Features in a structure that an extension of Vulkan brings.
 pub(super) trait ExtensionFeature {
-    /// Whether the feature is there, or is to be switched on.
-    fn bit(&mut self) -> &mut vk::Bool32;
+    /// Whether the features are there, or are to be switched on.
+    fn bits(&mut self) -> Vec<&mut vk::Bool32>;
     /// The structure, to be filled in by the driver.
     fn for_query(&mut self) -> &mut dyn vk::ExtendsPhysicalDeviceFeatures2;
     /// The structure, to open a device with.
@@ -32,15 +32,15 @@ pub(super) trait ExtensionFeature {
 
 struct InStructure<T> {
     structure: T,
-    bit: fn(&mut T) -> &mut vk::Bool32,
+    bits: fn(&mut T) -> Vec<&mut vk::Bool32>,
 }
 
 impl<T> ExtensionFeature for InStructure<T>
 where
     T: vk::ExtendsPhysicalDeviceFeatures2 + vk::ExtendsDeviceCreateInfo,
 {
-    fn bit(&mut self) -> &mut vk::Bool32 {
-        (self.bit)(&mut self.structure)
+    fn bits(&mut self) -> Vec<&mut vk::Bool32> {
+        (self.bits)(&mut self.structure)
     }
 
     fn for_query(&mut self) -> &mut dyn vk::ExtendsPhysicalDeviceFeatures2 {
@@ -52,13 +52,13 @@ where
     }
 }
 
-/// A feature of an extension, in its structure `T`.
-fn feature<T>(bit: fn(&mut T) -> &mut vk::Bool32) -> Box<dyn ExtensionFeature>
+/// Features of an extension, in its structure `T`.
+fn features<T>(bits: fn(&mut T) -> Vec<&mut vk::Bool32>) -> Box<dyn ExtensionFeature>
 where
     T: vk::ExtendsPhysicalDeviceFeatures2 + vk::ExtendsDeviceCreateInfo + Default + 'static,
 {
     let structure = T::default();
-    Box::new(InStructure { structure, bit })
+    Box::new(InStructure { structure, bits })
 }
 
 /// Makes the enum of a table: of each capability documentation, name, id, words, and [`Source`].
@@ -120,13 +120,20 @@ capabilities! {
     /// Draws that a value in a buffer leaves out.
     ConditionalRendering: "conditional_rendering", "conditional rendering (Vulkan)",
         VulkanExtension(vk::EXT_CONDITIONAL_RENDERING_NAME, Some(|| {
-            feature(|of: &mut vk::PhysicalDeviceConditionalRenderingFeaturesEXT<'_>| {
-                &mut of.conditional_rendering
+            features(|of: &mut vk::PhysicalDeviceConditionalRenderingFeaturesEXT<'_>| {
+                vec![&mut of.conditional_rendering]
             })
         }));
     /// Colours of 32-bit floats that are blended.
     FloatBlending: "float_blending", "blending of 32-bit floats",
         Wgpu(wgpu::Features::FLOAT32_BLENDABLE);
+    /// Task and mesh shaders.
+    MeshStage: "mesh_stage", "task and mesh shaders (Vulkan)",
+        VulkanExtension(vk::EXT_MESH_SHADER_NAME, Some(|| {
+            features(|of: &mut vk::PhysicalDeviceMeshShaderFeaturesEXT<'_>| {
+                vec![&mut of.task_shader, &mut of.mesh_shader]
+            })
+        }));
 }
 
 impl Serialize for Capability {

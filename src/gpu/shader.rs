@@ -98,6 +98,10 @@ pub enum GlslStage {
     Geometry,
     /// Fragment shader, `*.frag`.
     Fragment,
+    /// Task shader, `*.task`.
+    Task,
+    /// Mesh shader, `*.mesh`.
+    Mesh,
 }
 
 impl GlslStage {
@@ -109,6 +113,8 @@ impl GlslStage {
             "tese" => Self::TessellationEvaluation,
             "geom" => Self::Geometry,
             "frag" => Self::Fragment,
+            "task" => Self::Task,
+            "mesh" => Self::Mesh,
             _ => return None,
         })
     }
@@ -169,14 +175,21 @@ fn compile(
         GlslStage::TessellationEvaluation => ShaderStage::TesselationEvaluation,
         GlslStage::Geometry => ShaderStage::Geometry,
         GlslStage::Fragment => ShaderStage::Fragment,
+        GlslStage::Task => ShaderStage::Task,
+        GlslStage::Mesh => ShaderStage::Mesh,
+    };
+    // Devices with task and mesh shaders have the later versions, which these want.
+    let (vulkan_version, spirv_version) = match stage {
+        ShaderStage::Task | ShaderStage::Mesh => (VulkanVersion::Vulkan1_2, SpirvVersion::SPIRV1_4),
+        _ => (VulkanVersion::Vulkan1_1, SpirvVersion::SPIRV1_3),
     };
     let compiler = Compiler::acquire().ok_or("the GLSL compiler could not be started")?;
     let text = format!("#version 450\n{defines}{}", source(path));
     let options = CompilerOptions {
         source_language: SourceLanguage::GLSL,
         target: Target::Vulkan {
-            version: VulkanVersion::Vulkan1_1,
-            spirv_version: SpirvVersion::SPIRV1_3,
+            version: vulkan_version,
+            spirv_version,
         },
         ..Default::default()
     };

@@ -46,15 +46,19 @@ impl Stage<'_, '_> {
     ) {
         let frame = &mut *self.frame;
         frame.begin_device_work();
-        // The native pass expects the texture as wgpu leaves it after a pass that wrote it.
-        frame.encoder.transition_resources(
-            std::iter::empty(),
-            std::iter::once(wgpu::TextureTransition {
-                texture: &target.texture,
-                selector: None,
-                state: wgpu::TextureUses::DEPTH_STENCIL_WRITE,
-            }),
-        );
+        // The native pass expects the textures as wgpu leaves them after a pass that wrote them.
+        let as_left = |texture, state| wgpu::TextureTransition {
+            texture,
+            selector: None,
+            state,
+        };
+        let depth = as_left(&target.depth, wgpu::TextureUses::DEPTH_STENCIL_WRITE);
+        let counts = target.counts.as_ref();
+        let counts = counts.map(|counts| as_left(counts, wgpu::TextureUses::COLOR_TARGET));
+        let textures = std::iter::once(depth).chain(counts);
+        frame
+            .encoder
+            .transition_resources(std::iter::empty(), textures);
         let (commands, draw_calls) = NativePass::record(&frame.gpu.device, target, bindings, draw);
         frame.push_native(commands);
         frame.draw_calls += draw_calls;

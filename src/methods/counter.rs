@@ -18,9 +18,12 @@ pub(super) enum Counter {
     Blend32,
 }
 
-/// What the parameter means.
-pub(super) const COUNTER_WORDS: &str =
-    "where volumes are counted: stencil8 (0 again at 256), blend16, blend32 (floats, by blending)";
+impl Counter {
+    /// Whether a face may count more than once: the stencil adds one or takes it away.
+    pub(super) fn takes_weights(self) -> bool {
+        self != Self::Stencil8
+    }
+}
 
 /// Counts of a frame, and how they come to the mask.
 pub(super) enum Counts {
@@ -49,7 +52,15 @@ impl Counts {
         Ok(Self::Blended(Box::new(counts)))
     }
 
-    /// What pipelines add to, where their fragment shaders count.
+    /// What native passes add to, where their fragment shaders count.
+    pub(super) fn texture(&self) -> Option<&wgpu::Texture> {
+        match self {
+            Self::Stencil(_) => None,
+            Self::Blended(counts) => Some(counts.texture()),
+        }
+    }
+
+    /// What pipelines of wgpu add to.
     pub(super) fn target(&self) -> Option<wgpu::ColorTargetState> {
         match self {
             Self::Stencil(_) => None,

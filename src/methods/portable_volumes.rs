@@ -1,6 +1,6 @@
 //! Shadow volumes whose faces are lists of corners, counted by wgpu's own passes: no native stage.
 
-use super::counter::{Counter, Counts};
+use super::counter::Counts;
 use super::volume_parameters::VolumeParameters;
 use super::{MethodError, PrepareContext};
 use crate::frame::FrameResources;
@@ -110,7 +110,6 @@ impl PortableVolumes {
     pub(super) fn new(
         context: &PrepareContext<'_>,
         parameters: &VolumeParameters,
-        counter: Counter,
     ) -> Result<Self, MethodError> {
         let PrepareContext { gpu, resources, .. } = context;
         check(&context.scene.mesh)?;
@@ -124,7 +123,7 @@ impl PortableVolumes {
             ],
             ..Default::default()
         });
-        let counts = Counts::new(context, counter, parameters.depth_setup())?;
+        let counts = Counts::new(context, parameters.counter, parameters.depth_setup())?;
         let target = counts.target();
         let depth_format = resources.targets.depth.format();
         let pipeline = |count| {

@@ -1,9 +1,10 @@
 //! A shadow volume of every triangle, in a geometry shader: what silhouettes and tessellation are
 //! compared with in Milet et al. 2014, table 4.
 
+use super::faces;
 use super::volume_limits;
 use super::volume_parameters::StageVolumeParameters;
-use super::volumes::{self, STENCIL, StencilVolumes};
+use super::volumes::{STENCIL, StencilVolumes};
 use super::{MethodError, MethodInfo, PrepareContext, ShadowMethod};
 use crate::frame::DepthSetup;
 use crate::frame::PreparedMethod;
@@ -53,8 +54,8 @@ impl ShadowMethod for TriangleGs {
             shader::glsl("methods/triangle_gs/sides.geom", &parameters.defines(&[])),
         ];
         let faces = vec![
-            volumes::of_triangles(context, PrimitiveTopology::Triangles, sides)?,
-            volumes::caps(context, parameters),
+            faces::of_triangles(context, PrimitiveTopology::Triangles, sides)?,
+            faces::caps(context, parameters),
         ];
         let volumes = StencilVolumes::new(context, parameters, &[], faces, Vec::new())?;
         Ok(Box::new(volumes))

@@ -1,8 +1,9 @@
 //! A shadow volume of every triangle, in tessellation shaders (Milet et al. 2014, section 2.1).
 
+use super::faces::{self, Faces, Fragments};
 use super::volume_limits;
 use super::volume_parameters::{FrontCap, StageVolumeParameters};
-use super::volumes::{self, Faces, STENCIL, StencilVolumes};
+use super::volumes::{STENCIL, StencilVolumes};
 use super::{MethodError, MethodInfo, PrepareContext, ShadowMethod};
 use crate::frame::DepthSetup;
 use crate::frame::PreparedMethod;
@@ -79,7 +80,7 @@ fn part(
         shader::glsl("methods/triangle_ts/volume.tesc", &defines),
         shader::glsl("methods/triangle_ts/volume.tese", &defines),
     ];
-    volumes::of_triangles(context, TRIANGLE_PATCH, stages)
+    faces::of_triangles(context, TRIANGLE_PATCH, stages)
 }
 
 /// The whole volume in one.
@@ -92,16 +93,16 @@ fn single(
         FrontCap::InPlace => &[],
     };
     let defines = parameters.defines(push);
-    let mut stages = vec![
+    let stages = vec![
         shader::glsl("methods/volumes/position.vert", &[]),
         shader::glsl("methods/triangle_ts/single.tesc", &defines),
         shader::glsl("methods/triangle_ts/single.tese", &defines),
     ];
-    if parameters.front_cap == FrontCap::Far {
-        stages.push(shader::glsl(
-            "methods/triangle_ts/push_front_cap.frag",
-            &defines,
-        ));
-    }
-    volumes::of_triangles(context, TRIANGLE_PATCH, stages)
+    Ok(Faces {
+        fragments: match parameters.front_cap {
+            FrontCap::Far => Fragments::PushFrontCap,
+            FrontCap::InPlace => Fragments::Count,
+        },
+        ..faces::of_triangles(context, TRIANGLE_PATCH, stages)?
+    })
 }

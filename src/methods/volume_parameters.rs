@@ -1,5 +1,6 @@
 //! The parameters that all volume methods have.
 
+use super::counter::Counter;
 use super::{MethodError, PrepareContext};
 use crate::frame::{DepthFormat, DepthSetup};
 use crate::geometry::{Casting, Determinism};
@@ -120,6 +121,8 @@ parameters! {
             "whose volumes are not drawn: none, frustum (of objects that cannot shadow anything in view)";
         pub occluded: Occluded = Occluded::Cast,
             "triangles that are proven to be behind others, seen from a light that stands still: cast, left_out";
+        pub counter: Counter = Counter::Stencil8,
+            "where volumes are counted: stencil8 (0 again at 256), blend16, blend32 (floats, by blending)";
         pub front_cap: FrontCap = FrontCap::Far,
             "where the front caps of z_fail are: far (on the far plane, counted everywhere), in_place";
         pub push_back_px: f64 = PUSH_BACK_PX, in -1.0..=1.0,
@@ -178,6 +181,15 @@ impl StageVolumeParameters {
             defines.push(("STANDARD_DEPTH", 1));
         }
         defines.extend_from_slice(more);
+        defines
+    }
+
+    /// The same for shaders that make the side quads of edges: where the counter takes weights, one for each edge.
+    pub(super) fn defines_of_sides<'a>(&self, more: &[(&'a str, u32)]) -> Vec<(&'a str, u32)> {
+        let mut defines = self.defines(more);
+        if self.counter.takes_weights() {
+            defines.push(("WEIGHTED", 1));
+        }
         defines
     }
 }

@@ -4,21 +4,17 @@
 //! counted, z-fail, z-pass, or for each object whichever is right and draws less. The count of a pixel
 //! is a sum over objects, so objects may be counted in different ways in one frame.
 
+use super::counter::Counts;
+use super::faces::{Draws, Elements, Faces, open_edges};
 use super::plan::{CasterPlan, FramePlan, Planner};
-use super::side_quad::DirectedEdge;
 use super::volume_parameters::{Counting, StageVolumeParameters, VolumeParameters};
 use super::{MethodError, PrepareContext};
-use crate::frame::{
-    DrawnVolumes, Frame, PreparedMethod, RESOLVE_STAGE, SceneBuffers, StencilResolve,
-};
+use crate::frame::{DrawnVolumes, Frame, PreparedMethod, RESOLVE_STAGE};
 use crate::geometry::Casting;
-use crate::geometry::silhouette::SilhouetteEdge;
 use crate::gpu::Capability;
 use crate::gpu::native::{
-    BindingKind, Bindings, IndexedGeometry, NativePass, Pipeline, PipelineDesc, PrimitiveTopology,
-    Raster, Target, VertexInput,
+    BindingKind, Bindings, IndexedGeometry, NativePass, Pipeline, PipelineDesc, Raster, Target,
 };
-use crate::gpu::shader::{self, Spirv};
 use std::ops::Range;
 
 /// Name of the stage that draws the volumes into the stencil buffer.
@@ -36,131 +32,19 @@ pub(super) const RESOLVE_REST_STAGE: &str = "resolve_rest";
 /// What every volume method needs of the device.
 pub(super) const STENCIL: Capability = Capability::StencilBuffer;
 
-/// Faces of volumes that are drawn alike.
-pub(super) struct Faces {
-    /// All shader stages, the vertex stage first.
-    pub stages: Vec<Spirv>,
-    /// What a vertex is.
-    pub input: VertexInput,
-    /// What a primitive is.
-    pub topology: PrimitiveTopology,
-    /// The elements; without them, vertices are numbered as they are drawn.
-    pub indices: Option<wgpu::Buffer>,
-    /// Which of them each object that casts draws.
-    pub draws: Draws,
-    /// How they are counted in z-fail.
-    pub z_fail: Raster,
-    /// Whether they are drawn in z-pass. Caps, which are never in front of what is visible, need not be,
-    /// and are only where they come with the sides in one draw.
-    pub in_z_pass: bool,
-}
-
-/// Faces that `stages` make of each casting triangle, given as its three vertices.
-pub(super) fn of_triangles(
-    context: &PrepareContext<'_>,
-    topology: PrimitiveTopology,
-    stages: Vec<Spirv>,
-) -> Result<Faces, MethodError> {
-    let elements = |triangles: &Range<u32>| 3 * triangles.start..3 * triangles.end;
-    Ok(Faces {
-        stages,
-        input: SceneBuffers::NATIVE_INPUT,
-        topology,
-        indices: Some(context.indices()?),
-        draws: Draws::All(context.casters.triangles().iter().map(elements).collect()),
-        z_fail: Raster::CountDepthFails,
-        in_z_pass: true,
-    })
-}
-
-/// Front and back caps of all triangles, by a geometry shader. The back cap is behind everything,
-/// tested or not.
-pub(super) fn caps(context: &PrepareContext<'_>, parameters: &StageVolumeParameters) -> Faces {
-    Faces {
-        stages: vec![
-            shader::glsl("methods/volumes/index.vert", &[]),
-            shader::glsl("methods/volumes/caps.geom", &parameters.defines(&[])),
-        ],
-        input: VertexInput::Numbers,
-        topology: PrimitiveTopology::Points,
-        indices: None,
-        draws: Draws::All(context.casters.triangles()),
-        z_fail: parameters.front_cap_raster(),
-        in_z_pass: false,
-    }
-}
-
-/// Side quads of the open edges, counted down: what is left of the count of triangles that face the light is that of the
-/// others.
-fn open_edges(context: &PrepareContext<'_>) -> Result<Faces, MethodError> {
-    let scene_casters = &context.casters;
-    let mesh = &scene_casters.mesh;
-    let mut corners = Vec::new();
-    let casters = 0..mesh.caster_object_count();
-    let draws = casters.map(|caster| {
-        let start = corners.len() as u32;
-        for &open in scene_casters.open_edges().of(caster) {
-            let counted_down = SilhouetteEdge {
-                multiplicity: -open.multiplicity,
-                ..open
-            };
-            let edge = DirectedEdge::new(mesh, scene_casters.topology(), counted_down);
-            for _ in 0..edge.multiplicity.unsigned_abs() {
-                corners.extend(edge.quad(|vertex| 2 * vertex, |vertex| 2 * vertex + 1));
-            }
-        }
-        start..corners.len() as u32
-    });
-    let draws = Draws::All(draws.collect());
-    // A buffer cannot be empty.
-    corners.resize(corners.len().max(1), 0);
-    let usage = wgpu::BufferUsages::INDEX;
-    let contents = bytemuck::cast_slice(&corners);
-    Ok(Faces {
-        stages: vec![shader::glsl("methods/volumes/corner.vert", &[])],
-        input: VertexInput::Numbers,
-        topology: PrimitiveTopology::Triangles,
-        indices: Some(context.gpu.buffer("the open edges", contents, usage)?),
-        draws,
-        z_fail: Raster::CountDepthFails,
-        in_z_pass: true,
-    })
-}
-
 /// Faces ready to be drawn.
 struct PreparedFaces {
     z_fail: Option<Pipeline>,
     z_pass: Option<Pipeline>,
-    geometry: Option<IndexedGeometry>,
+    drawn: Drawn,
     draws: Draws,
 }
 
-/// Elements or vertices of each object that casts, in drawing order.
-pub(super) enum Draws {
-    /// The same in all frames.
-    All(Vec<Range<u32>>),
-    /// Those that a light leaves.
-    Chosen(Box<dyn ChooseDraws>),
-}
-
-/// What brings the elements that a light leaves to the device.
-pub(super) trait ChooseDraws {
-    /// Chooses for a frame.
-    ///
-    /// # Errors
-    /// When the device is lost.
-    fn choose(&mut self, frame: &mut Frame<'_>) -> anyhow::Result<()>;
-    /// What was chosen last.
-    fn chosen(&self) -> &[Range<u32>];
-}
-
-impl Draws {
-    fn of_frame(&self) -> &[Range<u32>] {
-        match self {
-            Self::All(draws) => draws,
-            Self::Chosen(draws) => draws.chosen(),
-        }
-    }
+/// What a draw takes: see [`Elements`].
+enum Drawn {
+    Vertices,
+    Indexed(IndexedGeometry),
+    Workgroups(u32),
 }
 
 /// The shadow volumes of one scene.
@@ -171,7 +55,7 @@ pub(super) struct StencilVolumes {
     open_edges: Option<PreparedFaces>,
     bindings: Bindings,
     target: Target,
-    resolve: StencilResolve,
+    counts: Counts,
     counters: Vec<(&'static str, u64)>,
     /// Of the last frame.
     plan: FramePlan,
@@ -190,7 +74,9 @@ impl StencilVolumes {
         let PrepareContext { gpu, resources, .. } = context;
         let device = &gpu.device;
         let counting = parameters.counting;
-        let target = Target::new(device, &resources.targets.depth, parameters.depth)?;
+        let counts = Counts::new(context, parameters.counter, parameters.depth_setup())?;
+        let depth = &resources.targets.depth;
+        let target = Target::new(device, depth, counts.texture(), parameters.depth)?;
         let indices = context.indices()?;
         let mut bound = vec![
             (BindingKind::Uniform, &resources.uniform.buffer),
@@ -214,7 +100,7 @@ impl StencilVolumes {
                 .transpose()?,
             bindings,
             target,
-            resolve: StencilResolve::new(gpu, parameters.depth_setup()),
+            counts,
             counters,
             plan: FramePlan::default(),
         })
@@ -237,8 +123,10 @@ impl PreparedFaces {
     ) -> Result<Self, MethodError> {
         let device = &context.gpu.device;
         let pipeline = |raster| {
+            let mut stages = faces.stages.clone();
+            stages.extend(faces.fragments.stage(parameters, raster));
             let desc = PipelineDesc {
-                stages: &faces.stages,
+                stages: &stages,
                 input: faces.input,
                 topology: faces.topology,
                 raster,
@@ -246,10 +134,7 @@ impl PreparedFaces {
             };
             Pipeline::new(device, target, bindings, &desc)
         };
-        let geometry = |indices| {
-            let positions = &context.resources.scene.positions;
-            IndexedGeometry::new(device, positions, indices)
-        };
+        let positions = &context.resources.scene.positions;
         let z_pass = faces.in_z_pass && parameters.counting != Counting::ZFail;
         Ok(Self {
             z_fail: (parameters.counting != Counting::ZPass)
@@ -258,7 +143,13 @@ impl PreparedFaces {
             z_pass: z_pass
                 .then(|| pipeline(Raster::CountDepthPasses))
                 .transpose()?,
-            geometry: faces.indices.as_ref().map(geometry).transpose()?,
+            drawn: match faces.elements {
+                Elements::Vertices => Drawn::Vertices,
+                Elements::Indices(indices) => {
+                    Drawn::Indexed(IndexedGeometry::new(device, positions, &indices)?)
+                }
+                Elements::Workgroups(size) => Drawn::Workgroups(size),
+            },
             draws: faces.draws,
         })
     }
@@ -270,7 +161,7 @@ impl PreparedFaces {
         casters: &[CasterPlan],
         takes: impl Fn(&CasterPlan) -> bool,
     ) {
-        if let Some(geometry) = &self.geometry {
+        if let Drawn::Indexed(geometry) = &self.drawn {
             pass.set_geometry(geometry);
         }
         for (pipeline, is_z_pass) in [(&self.z_fail, false), (&self.z_pass, true)] {
@@ -279,21 +170,54 @@ impl PreparedFaces {
             let is_drawn =
                 |plan: &CasterPlan| plan.is_drawn && plan.z_pass == is_z_pass && takes(plan);
             let objects = self.draws.of_frame().iter().zip(casters);
-            for (draw, plan) in objects.filter(|(_, plan)| is_drawn(plan)) {
-                pass.set_constants(constants(*plan));
-                match self.geometry {
-                    Some(_) => pass.draw_indexed(draw.clone()),
-                    None => pass.draw(draw.clone()),
-                }
+            for (elements, plan) in together(objects.filter(|(_, plan)| is_drawn(plan))) {
+                self.draw_elements(pass, elements, plan);
             }
+        }
+    }
+
+    fn draw_elements(&self, pass: &mut NativePass<'_>, elements: Range<u32>, plan: CasterPlan) {
+        let size = match &self.drawn {
+            Drawn::Workgroups(size) => *size,
+            Drawn::Vertices => {
+                pass.set_constants(constants(plan, &elements));
+                return pass.draw(elements);
+            }
+            Drawn::Indexed(_) => {
+                pass.set_constants(constants(plan, &elements));
+                return pass.draw_indexed(elements);
+            }
+        };
+        let most = (NativePass::MOST_WORKGROUPS * size) as usize;
+        for start in elements.clone().step_by(most) {
+            let part = start..elements.end.min(start.saturating_add(most as u32));
+            pass.set_constants(constants(plan, &part));
+            pass.draw_meshes((part.end - part.start).div_ceil(size));
         }
     }
 }
 
+/// Joins neighbours that are drawn alike.
+fn together<'a>(
+    objects: impl Iterator<Item = (&'a Range<u32>, &'a CasterPlan)>,
+) -> Vec<(Range<u32>, CasterPlan)> {
+    let mut joined: Vec<(Range<u32>, CasterPlan)> = Vec::new();
+    for (elements, plan) in objects {
+        match joined.last_mut() {
+            Some((last, same)) if same == plan && last.end == elements.start => {
+                last.end = elements.end;
+            }
+            _ => joined.push((elements.clone(), *plan)),
+        }
+    }
+    joined
+}
+
 /// Twin of `Caster` in shaders/shared/caster.glsl.
-fn constants(plan: CasterPlan) -> [u32; 4] {
+fn constants(plan: CasterPlan, elements: &Range<u32>) -> [u32; 4] {
     let light_facing_only = u32::from(plan.casting != Casting::All);
-    [plan.end.index() as u32, light_facing_only, 0, 0]
+    let end_plane = plan.end.index() as u32;
+    [end_plane, light_facing_only, elements.start, elements.end]
 }
 
 impl PreparedMethod for StencilVolumes {
@@ -308,11 +232,12 @@ impl PreparedMethod for StencilVolumes {
             }
         }
         frame.stage(VOLUMES_STAGE, |stage| {
+            self.counts.begin(stage);
             stage.native(&self.target, &self.bindings, |pass| {
                 self.draw(pass, &plan);
             });
         });
-        self.resolve.record(frame, RESOLVE_STAGE, plan.near_count);
+        self.counts.resolve(frame, RESOLVE_STAGE, plan.near_count)?;
         if let (Some(open_edges), Some(near_count)) = (&self.open_edges, plan.near_count_of_rest) {
             frame.stage(OPEN_EDGES_STAGE, |stage| {
                 stage.native(&self.target, &self.bindings, |pass| {
@@ -320,7 +245,7 @@ impl PreparedMethod for StencilVolumes {
                     open_edges.draw(pass, &plan.casters, takes);
                 });
             });
-            self.resolve.record(frame, RESOLVE_REST_STAGE, near_count);
+            self.counts.resolve(frame, RESOLVE_REST_STAGE, near_count)?;
         }
         self.plan = plan;
         Ok(())

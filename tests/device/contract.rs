@@ -205,7 +205,7 @@ impl ComputeThenDraw {
             ],
         );
         let depth = DepthSetup::default();
-        let target = Target::new(device, &resources.targets.depth, depth.direction).unwrap();
+        let target = Target::new(device, &resources.targets.depth, None, depth.direction).unwrap();
         let bindings = Bindings::new(device, &[(BindingKind::Storage, &corners)]).unwrap();
         let desc = PipelineDesc {
             stages: &[shader::glsl("tests/contract.vert", &[])],

@@ -165,7 +165,7 @@ fn native(
         usage: wgpu::TextureUsages::RENDER_ATTACHMENT,
         view_formats: &[],
     });
-    let target = Target::new(&gpu.device, &texture, DepthDirection::Reversed).unwrap();
+    let target = Target::new(&gpu.device, &texture, None, DepthDirection::Reversed).unwrap();
     let bindings = Bindings::new(
         &gpu.device,
         &[

@@ -18,5 +18,6 @@ mod plan;
 mod regression;
 mod silhouette_cpu;
 mod silhouette_cs;
+mod silhouette_ms;
 mod stability;
 mod study;

@@ -9,12 +9,13 @@ use svbench::stress::{Finding, find_cause, random};
 
 pub(crate) const SIZE_PX: (u32, u32) = (160, 120);
 /// What promises to be exact.
-const ROBUST: [&str; 8] = [
+const ROBUST: [&str; 9] = [
     "silhouette_ts",
     "silhouette_gs",
     "silhouette_gs,counting=auto",
     "silhouette_cpu",
     "silhouette_cs",
+    "silhouette_ms",
     "silhouette_cpu,counting=auto",
     "triangle_ts",
     "triangle_gs",

@@ -480,6 +480,7 @@ fn lists_say_what_can_run_here() {
             "silhouette_gs",
             "silhouette_cpu",
             "silhouette_cs",
+            "silhouette_ms",
             "triangle_ts",
             "triangle_gs",
             "shadow_map",

@@ -1,4 +1,4 @@
-// The side quads of one edge: |multiplicity| copies, wound after its sign.
+// The side quads of one edge: |multiplicity| copies, wound after its sign; or, WEIGHTED, one that counts as often.
 //
 // MAX_MULTIPLICITY: most opposite vertices that an edge may have.
 #include "shared/extrude.glsl"
@@ -11,7 +11,11 @@ layout(lines_adjacency) in;
 #else
 layout(triangles_adjacency) in;
 #endif
+#ifdef WEIGHTED
+layout(triangle_strip, max_vertices = 4) out;
+#else
 layout(triangle_strip, max_vertices = 4 * MAX_MULTIPLICITY) out;
+#endif
 #include "methods/silhouette/edge.glsl"
 
 void main() {
@@ -21,7 +25,11 @@ void main() {
     vec4 b = clip_near(edge.b);
     vec4 a_far = clip_far(edge.a);
     vec4 b_far = clip_far(edge.b);
+#ifdef WEIGHTED
+    emit_side_quad(a, b, a_far, b_far, edge.multiplicity);
+#else
     for (int i = abs(edge.multiplicity); i > 0; --i) {
         emit_side_quad(a, b, a_far, b_far, edge.multiplicity);
     }
+#endif
 }

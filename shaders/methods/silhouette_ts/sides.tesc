@@ -1,7 +1,7 @@
 // Tessellation levels of one edge from its multiplicity m (Milet et al. 2014, algorithms 2 to 4).
 //
 // A row of 2|m| - 1 quads, of which every second one is bent to nothing by the evaluation shader, leaves
-// |m| side quads. Level 0 discards the patch: the edge is no silhouette.
+// |m| side quads. Level 0 discards the patch: the edge is no silhouette. WEIGHTED: one quad, which counts |m| times.
 #include "methods/silhouette/edge.glsl"
 
 layout(vertices = 1) out;
@@ -15,7 +15,11 @@ void main() {
     patch_a = edge.a;
     patch_b = edge.b;
     patch_multiplicity = m;
+#ifdef WEIGHTED
+    float along = m == 0 ? 0.0 : 1.0;
+#else
     float along = m == 0 ? 0.0 : float(2 * abs(m) - 1);
+#endif
     float across = m == 0 ? 0.0 : 1.0;
     gl_TessLevelOuter[0] = across;
     gl_TessLevelOuter[1] = along;

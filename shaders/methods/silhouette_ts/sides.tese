@@ -18,9 +18,17 @@ layout(quads, equal_spacing, ccw) in;
 layout(location = 0) patch in vec3 patch_a;
 layout(location = 1) patch in vec3 patch_b;
 layout(location = 2) patch in int patch_multiplicity;
+#ifdef WEIGHTED
+layout(location = 1) flat out int weight;
+#endif
 
 void main() {
+#ifdef WEIGHTED
+    weight = abs(patch_multiplicity);
+    int quads = 1;
+#else
     int quads = 2 * abs(patch_multiplicity) - 1;
+#endif
     int column = int(gl_TessCoord.x * float(quads) + 0.5);
     bool in_middle = gl_TessCoord.y > 0.25 && gl_TessCoord.y < 0.75;
     bool in_row_1 = gl_TessCoord.y > 0.5;

@@ -1,5 +1,7 @@
 // Pushes the front cap to the far plane (Milet et al. 2014, section 2.1): a caster is in the depth buffer
 // itself, so its front cap is never in front of what is visible.
+#include "methods/volumes/count.glsl"
+
 layout(location = 0) in float farness;
 #ifdef STANDARD_DEPTH
 #define FAR 1.0
@@ -15,4 +17,7 @@ void main() {
     float change = fwidth(farness); // outside of any branch, where derivatives are undefined
     bool on_front_cap = farness == 0.0 && change == 0.0;
     gl_FragDepth = on_front_cap ? FAR : gl_FragCoord.z;
+#ifdef OUTSIDE_ADDS
+    count();
+#endif
 }

@@ -2,12 +2,13 @@
 
 use super::lanes::OneBox;
 use super::plane_tree::PlaneOrder;
-use super::planes::Origin;
+use super::planes::{EdgePlanes, Origin};
 use crate::geometry::Topology;
 use crate::scene::mesh::Mesh;
 use bytemuck::{Pod, Zeroable};
 use glam::Vec4;
 use rayon::prelude::*;
+use std::ops::Range;
 
 /// A box in four dimensions around the planes of a cluster's edges. Twin of `Cluster` in
 /// `shaders/methods/silhouette_cs/ask_clusters.wgsl`.
@@ -36,8 +37,10 @@ pub struct EdgeClusters {
     origin: Origin,
     /// The clusters.
     pub boxes: Vec<ClusterBox>,
-    /// The edges of all clusters: [`Self::EDGES`] each, but for the last.
+    /// The edges of all clusters, as many each; in the last one of a group there may be [`Self::NO_EDGE`] instead.
     pub edges: Vec<u32>,
+    /// The clusters of each group.
+    pub of_groups: Vec<Range<u32>>,
 }
 
 /// Around all planes: edges of which nothing is known are in clusters that meet every light.
@@ -49,45 +52,49 @@ const ALL_PLANES: ClusterBox = ClusterBox {
 };
 
 impl EdgeClusters {
-    /// The edges of a cluster.
-    pub const EDGES: usize = 16;
+    /// Where a cluster has fewer edges than others.
+    pub const NO_EDGE: u32 = u32::MAX;
 
-    /// Builds them, on all cores. Some edges are to be asked for `always`, whatever their planes say.
-    pub fn build(mesh: &Mesh, topology: &Topology, always: impl Fn(u32) -> bool) -> Self {
+    /// Builds them, on all cores, of so many edges each. No cluster has edges of two groups, which follow each other. Some edges
+    /// are to be asked for `always`, whatever their planes say.
+    pub fn build(
+        mesh: &Mesh,
+        topology: &Topology,
+        groups: &[Range<u32>],
+        size: usize,
+        always: impl Fn(u32) -> bool,
+    ) -> Self {
         let order = PlaneOrder::new(mesh, topology);
         // What rounding may do beyond all numbers, a device need not tell from none.
         let is_known = |edge: u32| order.planes[edge as usize].doubt.is_finite();
         let in_order = order.items.iter().map(|item| item.edge);
-        let (mut edges, mut others): (Vec<_>, Vec<_>) =
+        let (known, mut others): (Vec<_>, Vec<_>) =
             in_order.partition(|edge| is_known(*edge) && !always(*edge));
         others.extend(order.others());
         others.sort_unstable();
-        let around = |edges: &[u32]| {
-            let boxes = edges
-                .iter()
-                .map(|edge| OneBox::from(&order.planes[*edge as usize]));
-            let around = boxes.fold(OneBox::EMPTY, OneBox::union);
-            ClusterBox {
-                low: around.low.to_array(),
-                high: around.high.to_array(),
-                doubt: around.doubt.to_array(),
-                unused: [0.0; 2],
-            }
-        };
-        let mut boxes: Vec<_> = edges.par_chunks(Self::EDGES).map(around).collect();
-        // Those of the last cluster with a box are few, and may be asked for every light.
-        let rest = edges.len() % Self::EDGES;
-        if rest > 0 {
-            others.splice(0..0, edges.drain(edges.len() - rest..));
-            boxes.pop();
-        }
-        boxes.resize(boxes.len() + others.len().div_ceil(Self::EDGES), ALL_PLANES);
-        edges.extend(others);
-        Self {
+        let (known, others) = (by_group(groups, &known), by_group(groups, &others));
+        let mut all = Self {
+            boxes: Vec::with_capacity(topology.edges.len() / size + groups.len()),
+            edges: Vec::with_capacity(topology.edges.len()),
+            of_groups: Vec::with_capacity(groups.len()),
             origin: order.origin,
-            boxes,
-            edges,
+        };
+        for (mut edges, mut others) in known.into_iter().zip(others) {
+            all.edges.resize(size * all.boxes.len(), Self::NO_EDGE);
+            let first = all.boxes.len();
+            // Those of the last cluster with a box are few, and may be asked for every light.
+            let rest = edges.len() % size;
+            others.splice(0..0, edges.drain(edges.len() - rest..));
+            let around = |edges: &[u32]| around(edges, &order.planes);
+            all.boxes.par_extend(edges.par_chunks(size).map(around));
+            let of_others = others.len().div_ceil(size);
+            all.boxes.resize(all.boxes.len() + of_others, ALL_PLANES);
+            all.edges.extend(edges);
+            all.edges.extend(others);
+            all.edges.resize(size * all.boxes.len(), Self::NO_EDGE);
+            all.of_groups.push(first as u32..all.boxes.len() as u32);
         }
+        all
     }
 
     /// What is left to do without them, once a device has the boxes and edges.
@@ -108,5 +115,29 @@ impl EdgeClusters {
             size,
             unused: [0.0; 2],
         }
+    }
+}
+
+/// Of edges those of each group, in the same order.
+fn by_group(groups: &[Range<u32>], edges: &[u32]) -> Vec<Vec<u32>> {
+    let mut of_groups = vec![Vec::new(); groups.len()];
+    for &edge in edges {
+        let group = groups.partition_point(|group| group.end <= edge);
+        of_groups[group].push(edge);
+    }
+    of_groups
+}
+
+/// The box around the planes of edges.
+fn around(edges: &[u32], planes: &[EdgePlanes]) -> ClusterBox {
+    let boxes = edges
+        .iter()
+        .map(|edge| OneBox::from(&planes[*edge as usize]));
+    let around = boxes.fold(OneBox::EMPTY, OneBox::union);
+    ClusterBox {
+        low: around.low.to_array(),
+        high: around.high.to_array(),
+        doubt: around.doubt.to_array(),
+        unused: [0.0; 2],
     }
 }

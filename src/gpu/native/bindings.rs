@@ -28,7 +28,7 @@ pub struct Bindings {
 }
 
 impl Bindings {
-    /// Binds whole buffers, visible to every graphics stage.
+    /// Binds whole buffers, visible to every stage.
     ///
     /// # Errors
     /// When the device does not run on Vulkan or is out of memory.
@@ -74,7 +74,7 @@ impl Bindings {
                     .binding(binding)
                     .descriptor_count(1)
                     .descriptor_type(descriptor_type(*kind))
-                    .stage_flags(vk::ShaderStageFlags::ALL_GRAPHICS)
+                    .stage_flags(vk::ShaderStageFlags::ALL)
             })
             .collect();
         let size = |(kind, _): &(BindingKind, _)| vk::DescriptorPoolSize {
@@ -137,7 +137,7 @@ impl Drop for Bindings {
 
 fn draw_constants() -> vk::PushConstantRange {
     vk::PushConstantRange::default()
-        .stage_flags(vk::ShaderStageFlags::ALL_GRAPHICS)
+        .stage_flags(vk::ShaderStageFlags::ALL)
         .size(DRAW_CONSTANTS_BYTES)
 }
 

@@ -11,6 +11,7 @@
 )]
 
 mod bindings;
+mod counting;
 mod geometry;
 mod memory;
 mod open;
@@ -20,11 +21,12 @@ mod support;
 mod target;
 
 pub use bindings::{BindingKind, Bindings};
+pub use counting::Raster;
 pub use geometry::{IndexedGeometry, IndirectDraws};
 pub use memory::{free_heap_bytes, most_bytes_at_once};
 pub use open::open;
 pub use pass::NativePass;
-pub use pipeline::{Pipeline, PipelineDesc, PrimitiveTopology, Raster, VertexInput};
+pub use pipeline::{Pipeline, PipelineDesc, PrimitiveTopology, VertexInput};
 pub use support::{has_validation_layer, supported};
 pub use target::Target;
 

@@ -127,7 +127,9 @@ fn switch_on(
         }
     }
     for feature in &mut features {
-        *feature.bit() = vk::TRUE;
+        for bit in feature.bits() {
+            *bit = vk::TRUE;
+        }
     }
     features
 }

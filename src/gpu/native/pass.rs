@@ -14,13 +14,15 @@ pub struct NativePass<'a> {
     commands: vk::CommandBuffer,
     draw_calls: u32,
     bound: &'a Bindings,
+    /// Of the pipeline that is set.
+    meshes: Option<ash::ext::mesh_shader::Device>,
 }
 
 impl NativePass<'_> {
     /// Records a whole pass into a command buffer of its own, to be submitted between wgpu's; gives
     /// also the number of its draw calls.
     ///
-    /// `target`'s texture must be in wgpu's state `DEPTH_STENCIL_WRITE` when it runs, which
+    /// `target`'s textures must be in wgpu's states `DEPTH_STENCIL_WRITE` and `COLOR_TARGET` when it runs, which
     /// [`crate::gpu::Stage::native`] takes care of. On a device that is lost or has no memory
     /// for commands nothing is recorded; [`crate::gpu::Gpu::attempt`] says so.
     pub fn record(
@@ -65,6 +67,7 @@ impl NativePass<'_> {
                     commands,
                     draw_calls: 0,
                     bound: bindings,
+                    meshes: None,
                 };
                 draw(&mut pass);
                 pass.raw.cmd_end_render_pass(commands);
@@ -77,6 +80,7 @@ impl NativePass<'_> {
 
     /// Draws with `pipeline` from now on.
     pub fn set_pipeline(&mut self, pipeline: &Pipeline) {
+        self.meshes.clone_from(&pipeline.meshes);
         // SAFETY: the pass is under way, and the pipeline waits for the device before it goes.
         unsafe {
             self.raw.cmd_bind_pipeline(
@@ -94,7 +98,7 @@ impl NativePass<'_> {
             self.raw.cmd_push_constants(
                 self.commands,
                 self.bound.layout,
-                vk::ShaderStageFlags::ALL_GRAPHICS,
+                vk::ShaderStageFlags::ALL,
                 0,
                 bytemuck::bytes_of(&constants),
             );
@@ -151,6 +155,23 @@ impl NativePass<'_> {
                 0,
             );
         };
+    }
+
+    /// The most workgroups of a draw call. Every device takes 65,535; one that runs them in software keeps what all of a draw
+    /// call make, and is half as fast again where that stays in its caches.
+    pub const MOST_WORKGROUPS: u32 = 256;
+
+    /// One draw call of so many workgroups of the first stage, with a pipeline of [`PrimitiveTopology::Meshes`].
+    ///
+    /// [`PrimitiveTopology::Meshes`]: super::PrimitiveTopology::Meshes
+    pub fn draw_meshes(&mut self, workgroups: u32) {
+        assert!(workgroups <= Self::MOST_WORKGROUPS);
+        let Some(meshes) = &self.meshes else {
+            panic!("the pipeline has no mesh shader")
+        };
+        self.draw_calls += 1;
+        // SAFETY: the pass is under way with a pipeline that has mesh shaders, and its bindings bound.
+        unsafe { meshes.cmd_draw_mesh_tasks(self.commands, workgroups, 1, 1) };
     }
 
     /// One draw call whose numbers are on the device, see [`IndirectDraws`].

@@ -1,11 +1,13 @@
 //! Graphics pipelines with native stages.
 
 use super::bindings::Bindings;
+use super::counting::{self, Raster};
 use super::target::Target;
 use super::{NativeError, raw_device, wait_idle};
 use crate::gpu::DepthDirection;
 use crate::gpu::shader::{GlslStage, Spirv};
 use ash::vk;
+use wgpu::hal::api::Vulkan;
 
 /// What a draw's vertices are put together to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -20,6 +22,8 @@ pub enum PrimitiveTopology {
     TrianglesWithAdjacency,
     /// Tessellation patches of so many control points.
     Patches(u32),
+    /// There are no vertices: task or mesh shaders make the primitives.
+    Meshes,
 }
 
 /// Where a pipeline's vertices come from.
@@ -32,22 +36,6 @@ pub enum VertexInput {
         /// Bytes from one position to the next.
         stride: u32,
     },
-}
-
-/// What happens to the primitives that the last shader before the rasteriser leaves.
-///
-/// Counting goes on in the stencil buffer, with wrap-around: back faces add one and front faces take
-/// one away. Front faces wind counter-clockwise in y-up clip space. Depth is never written.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Raster {
-    /// Count where the depth test (nearer than what is there) fails: z-fail.
-    CountDepthFails,
-    /// Count where the depth test passes, with opposite signs: z-pass.
-    CountDepthPasses,
-    /// Count everywhere.
-    CountAll,
-    /// Nothing is drawn; the shaders' side effects are all.
-    Discard,
 }
 
 /// A graphics pipeline.
@@ -68,6 +56,8 @@ pub struct PipelineDesc<'a> {
 /// A native graphics pipeline.
 pub struct Pipeline {
     pub(super) handle: vk::Pipeline,
+    /// Calls of the extension, where the pipeline has mesh shaders.
+    pub(super) meshes: Option<ash::ext::mesh_shader::Device>,
     raw: ash::Device,
     device: wgpu::Device,
 }
@@ -97,12 +87,24 @@ impl Pipeline {
             // SAFETY: a pipeline keeps what it needs of its modules, so they may go now.
             unsafe { raw.destroy_shader_module(module, None) };
         }
+        let meshes = desc.topology == PrimitiveTopology::Meshes;
         Ok(Self {
             handle: handle?,
+            meshes: meshes.then(|| mesh_calls(device)).transpose()?,
             raw,
             device: device.clone(),
         })
     }
+}
+
+fn mesh_calls(device: &wgpu::Device) -> Result<ash::ext::mesh_shader::Device, NativeError> {
+    // SAFETY: the handle is only borrowed, to ask for the addresses of functions.
+    let hal = unsafe { device.as_hal::<Vulkan>() }.ok_or(NativeError::NotVulkan)?;
+    let instance = hal.shared_instance().raw_instance();
+    Ok(ash::ext::mesh_shader::Device::new(
+        instance,
+        hal.raw_device(),
+    ))
 }
 
 fn create(
@@ -139,10 +141,12 @@ fn create(
         .viewports(&viewports)
         .scissors(&scissors);
     let rasterization = rasterization(desc, target.direction);
-    let depth_stencil = depth_stencil(desc.raster, target.direction);
+    let counts_are_blended = target.counts.is_some();
+    let depth_stencil = counting::tests(desc.raster, target.direction, counts_are_blended);
     let multisample = vk::PipelineMultisampleStateCreateInfo::default()
         .rasterization_samples(vk::SampleCountFlags::TYPE_1);
-    let blend = vk::PipelineColorBlendStateCreateInfo::default();
+    let added = counts_are_blended.then(counting::addition);
+    let blend = vk::PipelineColorBlendStateCreateInfo::default().attachments(added.as_slice());
     let mut info = vk::GraphicsPipelineCreateInfo::default()
         .stages(&stages)
         .vertex_input_state(&vertex_input)
@@ -164,10 +168,14 @@ fn create(
 }
 
 /// How vertices form primitives, and the control points of a patch.
+///
+/// Mesh shaders say for themselves how; the device does not look at what is given here.
 fn topology(topology: PrimitiveTopology) -> (vk::PrimitiveTopology, Option<u32>) {
     match topology {
         PrimitiveTopology::Points => (vk::PrimitiveTopology::POINT_LIST, None),
-        PrimitiveTopology::Triangles => (vk::PrimitiveTopology::TRIANGLE_LIST, None),
+        PrimitiveTopology::Triangles | PrimitiveTopology::Meshes => {
+            (vk::PrimitiveTopology::TRIANGLE_LIST, None)
+        }
         PrimitiveTopology::LinesWithAdjacency => {
             (vk::PrimitiveTopology::LINE_LIST_WITH_ADJACENCY, None)
         }
@@ -219,53 +227,6 @@ fn vertex_buffers(
     }
 }
 
-fn tests_depth(raster: Raster) -> bool {
-    matches!(raster, Raster::CountDepthFails | Raster::CountDepthPasses)
-}
-
-/// Over a whole closed volume that nothing clips, back faces and front faces count to zero; so what
-/// fails the depth test counts as much as what passes it, with the opposite sign.
-fn depth_stencil(
-    raster: Raster,
-    direction: DepthDirection,
-) -> vk::PipelineDepthStencilStateCreateInfo<'static> {
-    let count = |operation| {
-        let (pass_op, depth_fail_op) = match raster {
-            Raster::CountDepthFails => (vk::StencilOp::KEEP, operation),
-            // Without a depth test, every fragment passes it.
-            Raster::CountDepthPasses | Raster::CountAll | Raster::Discard => {
-                (operation, vk::StencilOp::KEEP)
-            }
-        };
-        vk::StencilOpState {
-            fail_op: vk::StencilOp::KEEP,
-            pass_op,
-            depth_fail_op,
-            compare_op: vk::CompareOp::ALWAYS,
-            compare_mask: 0xff,
-            write_mask: 0xff,
-            reference: 0,
-        }
-    };
-    let (up, down) = (
-        vk::StencilOp::INCREMENT_AND_WRAP,
-        vk::StencilOp::DECREMENT_AND_WRAP,
-    );
-    let (front, back) = match raster {
-        Raster::CountDepthPasses => (up, down),
-        Raster::CountDepthFails | Raster::CountAll | Raster::Discard => (down, up),
-    };
-    vk::PipelineDepthStencilStateCreateInfo::default()
-        .depth_test_enable(tests_depth(raster))
-        .depth_compare_op(match direction {
-            DepthDirection::Reversed => vk::CompareOp::GREATER,
-            DepthDirection::Standard => vk::CompareOp::LESS,
-        })
-        .stencil_test_enable(true)
-        .front(count(front))
-        .back(count(back))
-}
-
 fn stage_info(
     (stage, module): &(GlslStage, vk::ShaderModule),
 ) -> vk::PipelineShaderStageCreateInfo<'static> {
@@ -282,6 +243,8 @@ fn stage_flag(stage: GlslStage) -> vk::ShaderStageFlags {
         GlslStage::TessellationEvaluation => vk::ShaderStageFlags::TESSELLATION_EVALUATION,
         GlslStage::Geometry => vk::ShaderStageFlags::GEOMETRY,
         GlslStage::Fragment => vk::ShaderStageFlags::FRAGMENT,
+        GlslStage::Task => vk::ShaderStageFlags::TASK_EXT,
+        GlslStage::Mesh => vk::ShaderStageFlags::MESH_EXT,
     }
 }
 

@@ -32,7 +32,7 @@ fn vulkan_has(adapter: &Adapter, source: Source) -> bool {
             adapter
                 .physical_device_capabilities()
                 .supports_extension(name)
-                && feature.is_none_or(|feature| has_feature(adapter, feature().as_mut()))
+                && feature.is_none_or(|feature| has_features(adapter, feature().as_mut()))
         }
         Source::VulkanFormat(format, uses) => {
             // SAFETY: as above.
@@ -43,22 +43,22 @@ fn vulkan_has(adapter: &Adapter, source: Source) -> bool {
     }
 }
 
-fn has_feature(adapter: &Adapter, feature: &mut dyn ExtensionFeature) -> bool {
+fn has_features(adapter: &Adapter, features: &mut dyn ExtensionFeature) -> bool {
     let instance = adapter.shared_instance();
     // Before 1.1 the question is of an extension that the instance need not have.
     if instance.instance_api_version() < vk::API_VERSION_1_1 {
         return false;
     }
-    let mut all = vk::PhysicalDeviceFeatures2::default().push_next(feature.for_query());
+    let mut all = vk::PhysicalDeviceFeatures2::default().push_next(features.for_query());
     let physical = adapter.raw_physical_device();
     // SAFETY: as in `vulkan_has`; the structure is of an extension that the device has, and is written to as long as
-    // `feature` is borrowed.
+    // `features` is borrowed.
     unsafe {
         instance
             .raw_instance()
             .get_physical_device_features2(physical, &mut all);
     }
-    *feature.bit() == vk::TRUE
+    features.bits().iter().all(|bit| **bit == vk::TRUE)
 }
 
 /// Whether the loader of the adapter has the validation layer; `None` where it does not run on Vulkan.

@@ -1,112 +1,153 @@
-//! The depth-stencil buffer as the one attachment of a native render pass.
+//! The attachments of a native render pass: the depth-stencil buffer, and counts that are blended.
 
 use super::{NativeError, raw_device, wait_idle};
 use crate::gpu::DepthDirection;
 use ash::vk;
 use wgpu::hal::api::Vulkan;
 
-/// A wgpu depth-stencil texture that native passes draw into.
+/// A wgpu depth-stencil texture that native passes draw into, and a colour texture that they add to, if there is one.
 pub struct Target {
-    pub(in crate::gpu) texture: wgpu::Texture,
+    pub(in crate::gpu) depth: wgpu::Texture,
+    pub(in crate::gpu) counts: Option<wgpu::Texture>,
     pub(super) render_pass: vk::RenderPass,
     pub(super) framebuffer: vk::Framebuffer,
     pub(super) extent: vk::Extent2D,
     pub(super) direction: DepthDirection,
-    view: vk::ImageView,
+    views: Vec<vk::ImageView>,
     raw: ash::Device,
     device: wgpu::Device,
 }
 
 /// The layout in which wgpu leaves a depth texture that a pass has written.
-const LAYOUT: vk::ImageLayout = vk::ImageLayout::DEPTH_STENCIL_ATTACHMENT_OPTIMAL;
+const DEPTH_LAYOUT: vk::ImageLayout = vk::ImageLayout::DEPTH_STENCIL_ATTACHMENT_OPTIMAL;
+
+/// The same of a colour texture.
+const COLOUR_LAYOUT: vk::ImageLayout = vk::ImageLayout::COLOR_ATTACHMENT_OPTIMAL;
 
 impl Target {
-    /// Wraps `texture`, which must have the format `Depth32FloatStencil8`, or `Depth24PlusStencil8` on
-    /// a device that has 24 bits.
+    /// Wraps `depth`, which must have the format `Depth32FloatStencil8`, or `Depth24PlusStencil8` on a device that has 24
+    /// bits, and `counts`, of a format with one float a pixel and of the same size: where there are some, pipelines add to
+    /// them and leave the stencil alone.
     ///
     /// # Errors
     /// When the device does not run on Vulkan or is out of memory.
     pub fn new(
         device: &wgpu::Device,
-        texture: &wgpu::Texture,
+        depth: &wgpu::Texture,
+        counts: Option<&wgpu::Texture>,
         direction: DepthDirection,
     ) -> Result<Self, NativeError> {
-        let format = match texture.format() {
-            wgpu::TextureFormat::Depth32FloatStencil8 => vk::Format::D32_SFLOAT_S8_UINT,
-            wgpu::TextureFormat::Depth24PlusStencil8 => vk::Format::D24_UNORM_S8_UINT,
-            other => panic!("{other:?} is no depth-stencil format that native passes draw into"),
-        };
         let raw = raw_device(device)?;
         let extent = vk::Extent2D {
-            width: texture.width(),
-            height: texture.height(),
+            width: depth.width(),
+            height: depth.height(),
         };
-        // SAFETY: the handle is borrowed; the clone of `texture` below keeps the image alive.
-        let image = unsafe {
-            texture
-                .as_hal::<Vulkan>()
-                .ok_or(NativeError::NotVulkan)?
-                .raw_handle()
-        };
-        let view_info = vk::ImageViewCreateInfo::default()
-            .image(image)
-            .view_type(vk::ImageViewType::TYPE_2D)
-            .format(format)
-            .subresource_range(vk::ImageSubresourceRange {
-                aspect_mask: vk::ImageAspectFlags::DEPTH | vk::ImageAspectFlags::STENCIL,
-                base_mip_level: 0,
-                level_count: 1,
-                base_array_layer: 0,
-                layer_count: 1,
-            });
-        // SAFETY: `image` is alive and of this format.
-        let view = unsafe { raw.create_image_view(&view_info, None) }?;
-        let render_pass = create_render_pass(&raw, format)?;
-        let attachments = [view];
+        let depth_aspects = vk::ImageAspectFlags::DEPTH | vk::ImageAspectFlags::STENCIL;
+        let attached = std::iter::once((depth, depth_aspects))
+            .chain(counts.map(|counts| (counts, vk::ImageAspectFlags::COLOR)));
+        let views = attached.map(|(texture, aspects)| create_view(&raw, texture, aspects));
+        let views: Vec<_> = views.collect::<Result<_, _>>()?;
+        let render_pass = create_render_pass(&raw, depth, counts)?;
         let framebuffer_info = vk::FramebufferCreateInfo::default()
             .render_pass(render_pass)
-            .attachments(&attachments)
+            .attachments(&views)
             .width(extent.width)
             .height(extent.height)
             .layers(1);
-        // SAFETY: the render pass and the view were made just above by the same device.
+        // SAFETY: the render pass and the views were made just above by the same device.
         let framebuffer = unsafe { raw.create_framebuffer(&framebuffer_info, None) }?;
         Ok(Self {
-            texture: texture.clone(),
+            depth: depth.clone(),
+            counts: counts.cloned(),
             render_pass,
             framebuffer,
             extent,
             direction,
-            view,
+            views,
             raw,
             device: device.clone(),
         })
     }
 }
 
-/// Keeps what is in the buffer, and waits for the depth and stencil writes of whatever ran before;
-/// whatever runs after waits for ours.
-fn create_render_pass(raw: &ash::Device, format: vk::Format) -> Result<vk::RenderPass, vk::Result> {
-    let attachments = [vk::AttachmentDescription::default()
-        .format(format)
-        .samples(vk::SampleCountFlags::TYPE_1)
-        .load_op(vk::AttachmentLoadOp::LOAD)
-        .store_op(vk::AttachmentStoreOp::STORE)
-        .stencil_load_op(vk::AttachmentLoadOp::LOAD)
-        .stencil_store_op(vk::AttachmentStoreOp::STORE)
-        .initial_layout(LAYOUT)
-        .final_layout(LAYOUT)];
-    let reference = vk::AttachmentReference {
-        attachment: 0,
-        layout: LAYOUT,
+/// The format that wgpu gives a texture.
+fn format(texture: &wgpu::Texture) -> vk::Format {
+    match texture.format() {
+        wgpu::TextureFormat::Depth32FloatStencil8 => vk::Format::D32_SFLOAT_S8_UINT,
+        wgpu::TextureFormat::Depth24PlusStencil8 => vk::Format::D24_UNORM_S8_UINT,
+        wgpu::TextureFormat::R16Float => vk::Format::R16_SFLOAT,
+        wgpu::TextureFormat::R32Float => vk::Format::R32_SFLOAT,
+        other => panic!("{other:?} is no format that native passes draw into"),
+    }
+}
+
+fn create_view(
+    raw: &ash::Device,
+    texture: &wgpu::Texture,
+    aspects: vk::ImageAspectFlags,
+) -> Result<vk::ImageView, NativeError> {
+    // SAFETY: the handle is borrowed; the target keeps a clone of `texture`, and so the image alive.
+    let image = unsafe {
+        texture
+            .as_hal::<Vulkan>()
+            .ok_or(NativeError::NotVulkan)?
+            .raw_handle()
     };
+    let info = vk::ImageViewCreateInfo::default()
+        .image(image)
+        .view_type(vk::ImageViewType::TYPE_2D)
+        .format(format(texture))
+        .subresource_range(vk::ImageSubresourceRange {
+            aspect_mask: aspects,
+            base_mip_level: 0,
+            level_count: 1,
+            base_array_layer: 0,
+            layer_count: 1,
+        });
+    // SAFETY: `image` is alive and of this format.
+    Ok(unsafe { raw.create_image_view(&info, None) }?)
+}
+
+/// Keeps what is in the attachments, and waits for the writes to them of whatever ran before; whatever runs after waits for
+/// ours.
+fn create_render_pass(
+    raw: &ash::Device,
+    depth: &wgpu::Texture,
+    counts: Option<&wgpu::Texture>,
+) -> Result<vk::RenderPass, vk::Result> {
+    let attachment = |texture, layout| {
+        vk::AttachmentDescription::default()
+            .format(format(texture))
+            .samples(vk::SampleCountFlags::TYPE_1)
+            .load_op(vk::AttachmentLoadOp::LOAD)
+            .store_op(vk::AttachmentStoreOp::STORE)
+            .stencil_load_op(vk::AttachmentLoadOp::LOAD)
+            .stencil_store_op(vk::AttachmentStoreOp::STORE)
+            .initial_layout(layout)
+            .final_layout(layout)
+    };
+    let attachments: Vec<_> = std::iter::once(attachment(depth, DEPTH_LAYOUT))
+        .chain(counts.map(|counts| attachment(counts, COLOUR_LAYOUT)))
+        .collect();
+    let of_depth = vk::AttachmentReference {
+        attachment: 0,
+        layout: DEPTH_LAYOUT,
+    };
+    let of_counts = counts.map(|_| vk::AttachmentReference {
+        attachment: 1,
+        layout: COLOUR_LAYOUT,
+    });
     let subpasses = [vk::SubpassDescription::default()
         .pipeline_bind_point(vk::PipelineBindPoint::GRAPHICS)
-        .depth_stencil_attachment(&reference)];
-    let stages =
-        vk::PipelineStageFlags::EARLY_FRAGMENT_TESTS | vk::PipelineStageFlags::LATE_FRAGMENT_TESTS;
+        .color_attachments(of_counts.as_slice())
+        .depth_stencil_attachment(&of_depth)];
+    let stages = vk::PipelineStageFlags::EARLY_FRAGMENT_TESTS
+        | vk::PipelineStageFlags::LATE_FRAGMENT_TESTS
+        | vk::PipelineStageFlags::COLOR_ATTACHMENT_OUTPUT;
     let access = vk::AccessFlags::DEPTH_STENCIL_ATTACHMENT_READ
-        | vk::AccessFlags::DEPTH_STENCIL_ATTACHMENT_WRITE;
+        | vk::AccessFlags::DEPTH_STENCIL_ATTACHMENT_WRITE
+        | vk::AccessFlags::COLOR_ATTACHMENT_READ
+        | vk::AccessFlags::COLOR_ATTACHMENT_WRITE;
     let dependency = |source, destination| {
         vk::SubpassDependency::default()
             .src_subpass(source)
@@ -135,7 +176,9 @@ impl Drop for Target {
         unsafe {
             self.raw.destroy_framebuffer(self.framebuffer, None);
             self.raw.destroy_render_pass(self.render_pass, None);
-            self.raw.destroy_image_view(self.view, None);
+            for view in &self.views {
+                self.raw.destroy_image_view(*view, None);
+            }
         }
     }
 }

@@ -3,21 +3,19 @@
 //! Side quads of silhouette edges, front and back caps of all casting triangles (Milet et al. 2014,
 //! section 2.2). The two variants differ in the stages that make the side quads, nothing else.
 
-mod edges;
 mod near_silhouette;
 
+use super::edge_records::{EdgePatches, EdgeRecords};
+use super::faces::{self, Draws, Elements, Faces, Fragments};
 use super::volume_parameters::{Plan, StageVolumeParameters, refuse_both};
-use super::volumes::{self, Draws, Faces, StencilVolumes};
+use super::volumes::StencilVolumes;
 use super::{MethodError, MethodInfo, PrepareContext, ShadowMethod};
-use crate::frame::DepthSetup;
-use crate::frame::PreparedMethod;
-use crate::frame::SceneBuffers;
+use crate::frame::{DepthSetup, PreparedMethod, SceneBuffers};
 use crate::geometry::{Casting, EdgeTriangles};
 use crate::gpu::native::{PrimitiveTopology, Raster, VertexInput};
 use crate::gpu::shader::{self, Spirv};
 use crate::parameters;
-use edges::{EdgePatches, EdgeRecords};
-use near_silhouette::{Elements, NearSilhouette};
+use near_silhouette::{EdgeElements, NearSilhouette};
 use serde::{Deserialize, Serialize};
 use std::fmt::Debug;
 use std::marker::PhantomData;
@@ -133,7 +131,7 @@ impl<S: SideStage> ShadowMethod for Silhouette<S> {
                 (sides, Vec::new())
             }
         };
-        let faces = vec![sides, volumes::caps(context, parameters)];
+        let faces = vec![sides, faces::caps(context, parameters)];
         let volumes = StencilVolumes::new(context, parameters, &buffers, faces, counters)?;
         Ok(Box::new(volumes))
     }
@@ -179,20 +177,21 @@ impl<S: SideStage> Sides<'_, S> {
         // Room for exactly what this scene can need: a larger output slows a geometry stage down.
         let defines = self
             .parameters
-            .defines(&[("MAX_MULTIPLICITY", edges.most_opposites())]);
+            .defines_of_sides(&[("MAX_MULTIPLICITY", edges.most_opposites())]);
         let mut stages = vec![shader::glsl("methods/volumes/index.vert", &[])];
         stages.extend(S::shaders(&defines));
-        let (indices, draws) = if self.chosen {
-            let (indices, draws) = self.chosen(Elements::Number)?;
-            (Some(indices), draws)
+        let (elements, draws) = if self.chosen {
+            let (indices, draws) = self.chosen(EdgeElements::Number)?;
+            (Elements::Indices(indices), draws)
         } else {
-            (None, Draws::All(self.edges.objects))
+            (Elements::Vertices, Draws::All(self.edges.objects))
         };
         let faces = Faces {
             stages,
+            fragments: Fragments::CountWeights,
             input: VertexInput::Numbers,
             topology: S::NUMBER,
-            indices,
+            elements,
             draws,
             z_fail: Raster::CountDepthFails,
             in_z_pass: true,
@@ -207,7 +206,7 @@ impl<S: SideStage> Sides<'_, S> {
         let most_bytes = gpu.device.limits().max_buffer_size;
         let patches =
             EdgePatches::new(&self.edges, opposites, most_bytes).ok_or_else(too_many_patches)?;
-        let defines = self.parameters.defines(&[
+        let defines = self.parameters.defines_of_sides(&[
             ("MAX_MULTIPLICITY", opposites),
             ("PATCH_OPPOSITES", opposites),
         ]);
@@ -215,7 +214,7 @@ impl<S: SideStage> Sides<'_, S> {
         stages.extend(S::shaders(&defines));
         let vertices_per_patch = patches.vertices_per_patch;
         let (indices, draws) = if self.chosen {
-            self.chosen(Elements::Patches(vertices_per_patch, patches.indices))?
+            self.chosen(EdgeElements::Patches(vertices_per_patch, patches.indices))?
         } else {
             let contents = bytemuck::cast_slice(&patches.indices);
             let usage = wgpu::BufferUsages::INDEX;
@@ -224,9 +223,10 @@ impl<S: SideStage> Sides<'_, S> {
         };
         let faces = Faces {
             stages,
+            fragments: Fragments::CountWeights,
             input: SceneBuffers::NATIVE_INPUT,
             topology,
-            indices: Some(indices),
+            elements: Elements::Indices(indices),
             draws,
             z_fail: Raster::CountDepthFails,
             in_z_pass: true,
@@ -234,7 +234,7 @@ impl<S: SideStage> Sides<'_, S> {
         Ok((faces, vertices_per_patch))
     }
 
-    fn chosen(&self, elements: Elements) -> Result<(wgpu::Buffer, Draws), MethodError> {
+    fn chosen(&self, elements: EdgeElements) -> Result<(wgpu::Buffer, Draws), MethodError> {
         let PrepareContext { gpu, casters, .. } = self.context;
         let of = (&*casters.mesh, &**casters.topology(), self.triangles);
         let chosen = NearSilhouette::new(gpu, of, &self.edges, elements)?;

@@ -1,21 +1,18 @@
 //! The edges that a light may put on the silhouette, chosen on the processor group by group.
 
-use super::edges::EdgeRecords;
 use crate::frame::Frame;
 use crate::geometry::open_edges::is_irregular;
 use crate::geometry::silhouette::PlaneTree;
 use crate::geometry::{EdgeTriangles, Topology};
 use crate::gpu::{DeviceError, Gpu};
-use crate::methods::volumes::ChooseDraws;
+use crate::methods::edge_records::EdgeRecords;
+use crate::methods::faces::{ChooseDraws, SELECT_STAGE};
 use crate::scene::Mesh;
 use glam::Vec4;
 use std::ops::Range;
 
-/// Name of the stage that chooses edges.
-const SELECT_STAGE: &str = "select";
-
 /// The primitives of edge records, as elements.
-pub(super) enum Elements {
+pub(super) enum EdgeElements {
     /// The number of the record.
     Number,
     /// So many of the list for each record.
@@ -27,7 +24,7 @@ pub(super) struct NearSilhouette {
     tree: PlaneTree,
     /// Edges that the tree may leave out though triangles that face the light have them on their silhouette.
     irregular: Vec<u32>,
-    elements: Elements,
+    elements: EdgeElements,
     /// The records of each edge.
     records: Vec<Range<u32>>,
     /// The edges of each object that casts, in drawing order.
@@ -49,11 +46,11 @@ impl NearSilhouette {
         gpu: &Gpu,
         (mesh, topology, triangles): (&Mesh, &Topology, Option<&EdgeTriangles>),
         records: &EdgeRecords,
-        elements: Elements,
+        elements: EdgeElements,
     ) -> Result<Self, DeviceError> {
         let per_record = match elements {
-            Elements::Number => 1,
-            Elements::Patches(per_record, _) => u64::from(per_record),
+            EdgeElements::Number => 1,
+            EdgeElements::Patches(per_record, _) => u64::from(per_record),
         };
         let bytes = (records.edges.len() as u64 * per_record * size_of::<u32>() as u64).max(4);
         let usage = wgpu::BufferUsages::INDEX | wgpu::BufferUsages::COPY_DST;
@@ -128,8 +125,8 @@ impl NearSilhouette {
                 bits &= bits - 1;
                 let records = records[edge as usize].clone();
                 match elements {
-                    Elements::Number => chosen.extend(records),
-                    Elements::Patches(per_record, all) => {
+                    EdgeElements::Number => chosen.extend(records),
+                    EdgeElements::Patches(per_record, all) => {
                         let [start, end] =
                             [records.start, records.end].map(|at| (at * *per_record) as usize);
                         chosen.extend_from_slice(&all[start..end]);

@@ -6,7 +6,6 @@ mod extraction;
 mod faces;
 
 use super::capping::{CappedPlan, Capping, Caps, fan_apexes};
-use super::counter::{COUNTER_WORDS, Counter};
 use super::plan::Planner;
 use super::portable_volumes::{Corners, EXTRACT_STAGE, FaceDraws, PortableVolumes};
 use super::volume_parameters::{CASTING_WORDS, VolumeParameters};
@@ -48,8 +47,6 @@ parameters! {
             CASTING_WORDS;
         caps: Caps = Caps::Fan,
             "what caps are made of in z_fail: fan (over the silhouette, of closed objects), triangles, far_triangles";
-        counter: Counter = Counter::Stencil8,
-            COUNTER_WORDS;
         ..volume: VolumeParameters;
     }
 }
@@ -88,7 +85,7 @@ impl ShadowMethod for SilhouetteCpu {
             extractor: Extractor::new(self.extraction, self.hextree_depth, &mesh, &topology),
             silhouette: Vec::new(),
             keep: self.keep,
-            volumes: PortableVolumes::new(context, &volume, self.counter)?,
+            volumes: PortableVolumes::new(context, &volume)?,
             facings: Facings::new(&mesh),
             of_triangles: vec![0; mesh.triangles.len()],
             elements: elements(context.gpu, 0)?,

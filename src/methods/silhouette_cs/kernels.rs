@@ -11,6 +11,9 @@ use crate::methods::capping::{Capping, Caps};
 use crate::methods::volume_parameters::FrontCap;
 use wgpu::BufferUsages as Usage;
 
+/// Twin of `EDGES` in ask_clusters.wgsl.
+const EDGES_A_CLUSTER: usize = 16;
+
 /// How silhouette edges are found.
 pub(super) enum Ask {
     Clusters {
@@ -90,9 +93,12 @@ impl Kernels<'_> {
         let (topology, triangles) = (casters.topology(), casters.edge_triangles());
         // Triangles that face the light may have such an edge on their silhouette where all together have not.
         let is_irregular = |edge: u32| is_irregular(triangles.of(topology.edges[edge as usize]));
-        let clusters = EdgeClusters::build(&casters.mesh, topology, is_irregular);
+        let all = 0..topology.edges.len() as u32;
+        let (mesh, groups) = (&casters.mesh, std::slice::from_ref(&all));
+        let clusters = EdgeClusters::build(mesh, topology, groups, EDGES_A_CLUSTER, is_irregular);
         let edges = clusters.edges.iter();
         let edges: Vec<_> = edges
+            .filter(|edge| **edge != EdgeClusters::NO_EDGE)
             .map(|edge| [*edge, blocks.bits[*edge as usize]])
             .collect();
         let boxes = self.boxes(&clusters)?;

@@ -9,7 +9,6 @@ mod plans;
 mod tables;
 
 use super::capping::{Capping, Caps};
-use super::counter::{COUNTER_WORDS, Counter};
 use super::plan::Planner;
 use super::portable_volumes::{EXTRACT_STAGE, PortableVolumes};
 use super::volume_parameters::{CASTING_WORDS, VolumeParameters};
@@ -67,8 +66,6 @@ parameters! {
             CASTING_WORDS;
         caps: Caps = Caps::Fan,
             "what caps are made of in z_fail: fan (over the silhouette, of closed objects), triangles, far_triangles";
-        counter: Counter = Counter::Stencil8,
-            COUNTER_WORDS;
         ..volume: VolumeParameters;
     }
 }
@@ -98,7 +95,7 @@ impl ShadowMethod for SilhouetteCs {
         };
         Ok(Box::new(CsVolumes {
             extractor: Extractor::new(context, self, &capping)?,
-            volumes: PortableVolumes::new(context, &volume, self.counter)?,
+            volumes: PortableVolumes::new(context, &volume)?,
             planner: Planner::new(context, volume, casting, Determinism::default()),
             capping,
             drawn: DrawnVolumes::default(),

@@ -250,5 +250,5 @@ impl EdgePatches {
 }
 
 #[cfg(test)]
-#[path = "edges_tests.rs"]
+#[path = "edge_records_tests.rs"]
 mod tests;

@@ -1,0 +1,6 @@
+// Counts by blending.
+#include "methods/volumes/count.glsl"
+
+void main() {
+    count();
+}
