@@ -16,6 +16,7 @@ static INFO: MethodInfo = MethodInfo {
     limits: &[&[Limit::in_words(
         "exact for spheres that do not meet each other, and for nothing else",
     )]],
+    clashes: &[],
     tolerated_share: 0.01,
 };
 

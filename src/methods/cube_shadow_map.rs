@@ -35,6 +35,7 @@ pub(super) static INFO: MethodInfo = MethodInfo {
             },
         ],
     ],
+    clashes: &[],
     tolerated_share: depth_map::TOLERATED_SHARE,
 };
 

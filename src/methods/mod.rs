@@ -6,10 +6,13 @@
 
 mod capping;
 mod casters;
+mod clash;
+mod corner;
 mod counter;
 mod cube_shadow_map;
 mod declare;
 mod depth_map;
+mod device_edges;
 mod domain;
 mod edge_records;
 mod faces;
@@ -18,6 +21,7 @@ mod light_depth;
 mod limit;
 mod parameters;
 mod plan;
+mod plan_words;
 mod portable_volumes;
 mod registry;
 mod shadow_map;
@@ -28,6 +32,7 @@ mod silhouette_cs;
 mod silhouette_gs;
 mod silhouette_ms;
 mod silhouette_ts;
+mod silhouette_vs;
 mod triangle_gs;
 mod triangle_ts;
 mod volume_limits;
@@ -35,6 +40,7 @@ mod volume_parameters;
 mod volumes;
 
 pub use casters::Casters;
+pub use clash::{Clash, Effect};
 pub use domain::Domain;
 pub use limit::{Bound, Limit};
 pub use parameters::{
@@ -64,6 +70,9 @@ pub struct MethodInfo {
     /// What it cannot do or gets wrong, by design: what it shares with others, and its own.
     #[serde(serialize_with = "in_one_list")]
     pub limits: &'static [&'static [Limit]],
+    /// Which of its parameters do not go together.
+    #[serde(skip)]
+    pub clashes: &'static [Clash],
     /// The part of a picture that may be wrong away from true edges before that is a failure: 0 for a method
     /// that is exact to the pixel.
     pub tolerated_share: f64,

@@ -1,28 +1,13 @@
-//! Shadow volumes whose faces are lists of corners, counted by wgpu's own passes: no native stage.
+//! Shadow volumes whose faces a vertex shader makes of numbers, counted by wgpu's own passes: no native stage.
 
+use super::corner::Weights;
 use super::counter::Counts;
 use super::volume_parameters::VolumeParameters;
 use super::{MethodError, PrepareContext};
 use crate::frame::FrameResources;
-use crate::geometry::EndPlane;
 use crate::gpu::{DepthDirection, Stage, shader};
-use crate::scene::Mesh;
 use std::ops::Range;
 use wgpu::StencilOperation::{DecrementWrap, IncrementWrap};
-
-/// Bits of a corner's number that are the vertex; those above are 0 at the vertex itself, and at the far end of its shadow 1
-/// and more, the end plane.
-const VERTEX_BITS: u32 = 29;
-
-/// The number of the corner at a vertex.
-pub(super) const fn near(vertex: u32) -> u32 {
-    vertex
-}
-
-/// The number of the corner at the far end of a vertex's shadow.
-pub(super) fn far(vertex: u32, end: EndPlane) -> u32 {
-    vertex | (end.index() as u32 + 1) << VERTEX_BITS
-}
 
 /// How the pixels of a face count.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -63,6 +48,8 @@ pub(super) enum FaceDraws {
     Corners(Range<u32>),
     /// As the device has counted them: these draws of a buffer, a call each.
     Indirect(wgpu::Buffer, Range<u32>),
+    /// Without elements: these vertices, a call for each range.
+    Vertices(Vec<Range<u32>>),
 }
 
 /// Name of the stage that finds silhouettes.
@@ -78,6 +65,7 @@ impl FaceDraws {
     fn is_empty(&self) -> bool {
         match self {
             Self::Corners(range) | Self::Indirect(_, range) => range.is_empty(),
+            Self::Vertices(ranges) => ranges.is_empty(),
         }
     }
 
@@ -94,8 +82,25 @@ impl FaceDraws {
                 }
                 range.len() as u32
             }
+            Self::Vertices(ranges) => {
+                for vertices in ranges {
+                    pass.draw(vertices.clone(), 0..1);
+                }
+                ranges.len() as u32
+            }
         }
     }
+}
+
+/// The vertex stage that makes corners of elements, with what it reads beside the frame.
+pub(super) struct CornerStage<'a> {
+    /// A file below `shaders/`.
+    pub(super) path: &'a str,
+    pub(super) entry_point: &'a str,
+    pub(super) constants: &'a [(&'a str, f64)],
+    /// Of group 1.
+    pub(super) layout: &'a wgpu::BindGroupLayout,
+    pub(super) bind_group: &'a wgpu::BindGroup,
 }
 
 /// The pipelines.
@@ -103,26 +108,50 @@ pub(super) struct PortableVolumes {
     depth_passes: wgpu::RenderPipeline,
     depth_fails: wgpu::RenderPipeline,
     everywhere: wgpu::RenderPipeline,
+    bind_group: wgpu::BindGroup,
     pub(super) counts: Counts,
 }
 
 impl PortableVolumes {
+    /// For faces that are lists of corners, by their [numbers](super::corner).
+    pub(super) fn of_corners(
+        context: &PrepareContext<'_>,
+        parameters: &VolumeParameters,
+        weights: Weights,
+    ) -> Result<Self, MethodError> {
+        let scene = &context.resources.scene;
+        let takes_weights = parameters.counter.takes_weights();
+        let vertex_bits = [("vertex_bits", f64::from(weights.vertex_bits))];
+        let stage = CornerStage {
+            path: "methods/volumes/corner.wgsl",
+            entry_point: if takes_weights {
+                "weighted_corner"
+            } else {
+                "corner"
+            },
+            constants: if takes_weights { &vertex_bits } else { &[] },
+            layout: &scene.layout,
+            bind_group: &scene.bind_group,
+        };
+        Self::new(context, parameters, &stage)
+    }
+
     pub(super) fn new(
         context: &PrepareContext<'_>,
         parameters: &VolumeParameters,
+        stage: &CornerStage<'_>,
     ) -> Result<Self, MethodError> {
         let PrepareContext { gpu, resources, .. } = context;
-        check(&context.scene.mesh)?;
         let device = &gpu.device;
-        let module = shader::wgsl(device, "methods/volumes/corner.wgsl");
-        let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
-            label: Some("volumes"),
-            bind_group_layouts: &[
-                Some(&resources.uniform.layout),
-                Some(&resources.scene.layout),
-            ],
-            ..Default::default()
-        });
+        let modules = Modules {
+            corners: shader::wgsl(device, stage.path),
+            count: shader::wgsl(device, "methods/volumes/count.wgsl"),
+            layout: device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+                label: Some("volumes"),
+                bind_group_layouts: &[Some(&resources.uniform.layout), Some(stage.layout)],
+                ..Default::default()
+            }),
+        };
         let counts = Counts::new(context, parameters.counter, parameters.depth_setup())?;
         let target = counts.target();
         let depth_format = resources.targets.depth.format();
@@ -131,12 +160,13 @@ impl PortableVolumes {
             if target.is_some() {
                 count_in_shader(count, &mut tests);
             }
-            pipeline(device, (&module, &layout), count, tests, target.as_ref())
+            modules.pipeline(device, stage, count, tests, target.as_ref())
         };
         Ok(Self {
             depth_passes: pipeline(Count::DepthPasses),
             depth_fails: pipeline(Count::DepthFails),
             everywhere: pipeline(Count::Everywhere),
+            bind_group: stage.bind_group.clone(),
             counts,
         })
     }
@@ -146,7 +176,7 @@ impl PortableVolumes {
         &self,
         stage: &mut Stage<'_, '_>,
         resources: &FrameResources,
-        elements: &wgpu::Buffer,
+        elements: Option<&wgpu::Buffer>,
         corners: &Corners,
     ) {
         let draws = [
@@ -162,7 +192,7 @@ impl PortableVolumes {
         &self,
         stage: &mut Stage<'_, '_>,
         resources: &FrameResources,
-        elements: &wgpu::Buffer,
+        elements: Option<&wgpu::Buffer>,
         corners: &Corners,
     ) {
         let draws = [(&self.depth_passes, &corners.of_open_edges)];
@@ -173,13 +203,15 @@ impl PortableVolumes {
         &self,
         stage: &mut Stage<'_, '_>,
         resources: &FrameResources,
-        elements: &wgpu::Buffer,
+        elements: Option<&wgpu::Buffer>,
         draws: &[(&wgpu::RenderPipeline, &FaceDraws)],
     ) {
         let mut pass = pass(stage, resources, self.counts.attachment());
         pass.set_bind_group(0, &resources.uniform.bind_group, &[]);
-        pass.set_bind_group(1, &resources.scene.bind_group, &[]);
-        pass.set_index_buffer(elements.slice(..), wgpu::IndexFormat::Uint32);
+        pass.set_bind_group(1, &self.bind_group, &[]);
+        if let Some(elements) = elements {
+            pass.set_index_buffer(elements.slice(..), wgpu::IndexFormat::Uint32);
+        }
         pass.set_stencil_reference(0);
         let mut draw_calls = 0;
         for (pipeline, faces) in draws.iter().filter(|(_, faces)| !faces.is_empty()) {
@@ -191,40 +223,53 @@ impl PortableVolumes {
     }
 }
 
-/// A pipeline that counts faces: in the stencil by its tests, or in a target by a fragment shader.
-fn pipeline(
-    device: &wgpu::Device,
-    (module, layout): (&wgpu::ShaderModule, &wgpu::PipelineLayout),
-    count: Count,
-    tests: wgpu::DepthStencilState,
-    target: Option<&wgpu::ColorTargetState>,
-) -> wgpu::RenderPipeline {
-    let targets = [target.cloned()];
-    let constants = [("seen_from_outside", count.of_front_face())];
-    device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-        label: Some("volumes"),
-        layout: Some(layout),
-        vertex: wgpu::VertexState {
-            module,
-            entry_point: Some("corner"),
-            compilation_options: wgpu::PipelineCompilationOptions::default(),
-            buffers: &[],
-        },
-        primitive: wgpu::PrimitiveState::default(),
-        depth_stencil: Some(tests),
-        multisample: wgpu::MultisampleState::default(),
-        fragment: target.map(|_| wgpu::FragmentState {
-            module,
-            entry_point: Some("count"),
-            compilation_options: wgpu::PipelineCompilationOptions {
-                constants: &constants,
-                ..Default::default()
+/// What pipelines are made of.
+struct Modules {
+    corners: wgpu::ShaderModule,
+    count: wgpu::ShaderModule,
+    layout: wgpu::PipelineLayout,
+}
+
+impl Modules {
+    /// A pipeline that counts faces: in the stencil by its tests, or in a target by a fragment shader.
+    fn pipeline(
+        &self,
+        device: &wgpu::Device,
+        stage: &CornerStage<'_>,
+        count: Count,
+        tests: wgpu::DepthStencilState,
+        target: Option<&wgpu::ColorTargetState>,
+    ) -> wgpu::RenderPipeline {
+        let targets = [target.cloned()];
+        let constants = [("seen_from_outside", count.of_front_face())];
+        device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+            label: Some("volumes"),
+            layout: Some(&self.layout),
+            vertex: wgpu::VertexState {
+                module: &self.corners,
+                entry_point: Some(stage.entry_point),
+                compilation_options: wgpu::PipelineCompilationOptions {
+                    constants: stage.constants,
+                    ..Default::default()
+                },
+                buffers: &[],
             },
-            targets: &targets,
-        }),
-        multiview_mask: None,
-        cache: None,
-    })
+            primitive: wgpu::PrimitiveState::default(),
+            depth_stencil: Some(tests),
+            multisample: wgpu::MultisampleState::default(),
+            fragment: target.map(|_| wgpu::FragmentState {
+                module: &self.count,
+                entry_point: Some("count"),
+                compilation_options: wgpu::PipelineCompilationOptions {
+                    constants: &constants,
+                    ..Default::default()
+                },
+                targets: &targets,
+            }),
+            multiview_mask: None,
+            cache: None,
+        })
+    }
 }
 
 /// A pass over depth and stencil as they are, and over counts that are blended.
@@ -253,19 +298,6 @@ fn pass<'s>(
         }),
         ..Default::default()
     })
-}
-
-/// Whether corners have numbers for all vertices.
-fn check(mesh: &Mesh) -> Result<(), MethodError> {
-    let vertices = mesh.positions.len();
-    if vertices > 1 << VERTEX_BITS {
-        let message = format!(
-            "{vertices} vertices are more than the {} that it can number",
-            1 << VERTEX_BITS
-        );
-        return Err(MethodError::Unavailable(message));
-    }
-    Ok(())
 }
 
 /// Tests for a fragment shader that counts, from those for the stencil: it runs where the stencil would have counted.

@@ -4,7 +4,7 @@ use super::parameters::{Parameter, ParameterError, configure};
 use super::{MethodInfo, ShadowMethod};
 use super::{
     cube_shadow_map, shadow_map, silhouette_cpu, silhouette_cs, silhouette_gs, silhouette_ms,
-    silhouette_ts, triangle_gs, triangle_ts,
+    silhouette_ts, silhouette_vs, triangle_gs, triangle_ts,
 };
 use crate::toml_error;
 use crate::variant::{Variant, VariantError};
@@ -62,6 +62,7 @@ impl Registry {
             .with::<silhouette_cpu::SilhouetteCpu>()
             .with::<silhouette_cs::SilhouetteCs>()
             .with::<silhouette_ms::SilhouetteMs>()
+            .with::<silhouette_vs::SilhouetteVs>()
             .with::<triangle_ts::TriangleTs>()
             .with::<triangle_gs::TriangleGs>()
             .with::<shadow_map::ShadowMap>()

@@ -31,6 +31,7 @@ pub(super) static INFO: MethodInfo = MethodInfo {
             at_most: Bound::All,
         }],
     ],
+    clashes: &[],
     tolerated_share: depth_map::TOLERATED_SHARE,
 };
 

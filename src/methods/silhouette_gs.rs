@@ -2,6 +2,7 @@
 //! and 2): the same decision as in tessellation shaders, one edge a primitive.
 
 use super::MethodInfo;
+use super::clash;
 use super::silhouette::{SideStage, Silhouette};
 use super::volume_limits;
 use super::volumes::STENCIL;
@@ -16,6 +17,7 @@ pub(super) static INFO: MethodInfo = MethodInfo {
     source: "Milet, Kobrtek, Zemčík, Pečiva 2014, section 3",
     needs: &[Capability::GeometryStage, STENCIL],
     limits: &[volume_limits::LIMITS, volume_limits::STAGE_LIMITS],
+    clashes: clash::OF_VOLUMES,
     tolerated_share: 0.0,
 };
 

@@ -1,6 +1,7 @@
 //! Silhouette shadow volumes by task and mesh shaders: a task asks a cluster of edges, and has side quads made of those on the
 //! silhouette.
 
+use super::clash;
 use super::edge_records::EdgeRecords;
 use super::faces::{ChooseDraws, Draws, Elements, Faces, Fragments, SELECT_STAGE};
 use super::volume_limits;
@@ -25,6 +26,7 @@ pub(super) static INFO: MethodInfo = MethodInfo {
     source: "left to future work in Milet et al. 2014; clusters after Wallner 2006, section 2.1",
     needs: &[Capability::MeshStage, STENCIL],
     limits: &[volume_limits::LIMITS, volume_limits::STAGE_LIMITS],
+    clashes: clash::OF_VOLUMES,
     tolerated_share: 0.0,
 };
 

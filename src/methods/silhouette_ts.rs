@@ -1,6 +1,7 @@
 //! Silhouette shadow volumes in tessellation shaders (Milet et al. 2014, algorithms 2 to 5).
 
 use super::MethodInfo;
+use super::clash;
 use super::silhouette::{SideStage, Silhouette};
 use super::volume_limits;
 use super::volumes::STENCIL;
@@ -19,6 +20,7 @@ pub(super) static INFO: MethodInfo = MethodInfo {
         STENCIL,
     ],
     limits: &[volume_limits::LIMITS, volume_limits::STAGE_LIMITS],
+    clashes: clash::OF_VOLUMES,
     tolerated_share: 0.0,
 };
 

@@ -1,6 +1,7 @@
 //! A shadow volume of every triangle, in a geometry shader: what silhouettes and tessellation are
 //! compared with in Milet et al. 2014, table 4.
 
+use super::clash;
 use super::faces;
 use super::volume_limits;
 use super::volume_parameters::StageVolumeParameters;
@@ -24,6 +25,7 @@ pub(super) static INFO: MethodInfo = MethodInfo {
         volume_limits::STAGE_LIMITS,
         volume_limits::TRIANGLE_LIMITS,
     ],
+    clashes: clash::OF_VOLUMES,
     tolerated_share: 0.0,
 };
 

@@ -1,5 +1,6 @@
 //! A shadow volume of every triangle, in tessellation shaders (Milet et al. 2014, section 2.1).
 
+use super::clash;
 use super::faces::{self, Faces, Fragments};
 use super::volume_limits;
 use super::volume_parameters::{FrontCap, StageVolumeParameters};
@@ -23,6 +24,7 @@ pub(super) static INFO: MethodInfo = MethodInfo {
         volume_limits::STAGE_LIMITS,
         volume_limits::TRIANGLE_LIMITS,
     ],
+    clashes: clash::OF_VOLUMES,
     tolerated_share: 0.0,
 };
 

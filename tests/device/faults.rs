@@ -15,6 +15,7 @@ static INFO: MethodInfo = MethodInfo {
     source: "tests",
     needs: &[],
     limits: &[],
+    clashes: &[],
     tolerated_share: 1.0,
 };
 

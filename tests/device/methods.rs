@@ -210,6 +210,7 @@ fn z_pass_fails_where_the_eye_is_in_shadow_and_auto_does_not() {
         "silhouette_cpu",
         "silhouette_cs",
         "silhouette_ms",
+        "silhouette_vs",
         "triangle_ts",
         "triangle_gs",
     ] {
@@ -349,6 +350,7 @@ fn a_square_casts_the_shadow_that_geometry_says() {
         ("silhouette_cpu", 1.0),
         ("silhouette_cs", 1.0),
         ("silhouette_ms", 1.0),
+        ("silhouette_vs", 1.0),
         ("triangle_ts", 1.0),
         ("triangle_ts,passes=1", 1.0),
         ("triangle_gs", 1.0),

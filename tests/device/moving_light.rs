@@ -58,6 +58,7 @@ fn every_moment_is_drawn_and_judged_by_its_own_light() {
             "silhouette_cpu",
             "silhouette_cs",
             "silhouette_ms",
+            "silhouette_vs",
             "silhouette_cpu,counting=auto,keep=true",
             "shadow_map,resolution=1024",
             "cube_shadow_map,resolution=1024",

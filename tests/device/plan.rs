@@ -19,7 +19,7 @@ const SIZE_PX: (u32, u32) = (160, 120);
 const FULL: &str = "silhouette_gs,reach=infinity";
 
 /// Each switch alone, and all of them.
-const PLANS: [&str; 17] = [
+const PLANS: [&str; 18] = [
     "silhouette_gs,counting=auto",
     "silhouette_gs,counting=z_pass_counted",
     "silhouette_gs,reach=object",
@@ -36,11 +36,12 @@ const PLANS: [&str; 17] = [
     "silhouette_cs,plan=auto",
     "silhouette_cs,casting=each_side,counting=z_pass_counted",
     "silhouette_ms,plan=auto",
+    "silhouette_vs,plan=auto",
     "triangle_gs,plan=auto",
 ];
 
 /// Those that leave out occluded triangles, where the light stands still.
-const OF_STILL_LIGHTS: [&str; 9] = [
+const OF_STILL_LIGHTS: [&str; 10] = [
     "silhouette_gs,occluded=left_out",
     "silhouette_gs,plan=auto",
     "silhouette_ts,plan=auto",
@@ -48,6 +49,7 @@ const OF_STILL_LIGHTS: [&str; 9] = [
     "silhouette_cpu,plan=auto",
     "silhouette_cs,plan=auto",
     "silhouette_ms,plan=auto",
+    "silhouette_vs,plan=auto",
     "triangle_gs,occluded=left_out",
     "triangle_ts,plan=auto",
 ];

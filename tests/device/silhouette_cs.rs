@@ -4,6 +4,7 @@
 use crate::common::device;
 use crate::silhouette_cpu::{draw, light_through_elements, scenes};
 use svbench::gpu::{Capability, Gpu, GpuOptions};
+use svbench::methods::Registry;
 use svbench::scene::{Flight, Scene, SphereGrid};
 use svbench::stress::find_cause;
 
@@ -95,12 +96,22 @@ fn no_native_stage_is_needed() {
     })
     .unwrap();
     let scene = find_cause("eye_in_volume").unwrap().scene(0.8, 0);
-    for variant in ["plan=as_set", "plan=auto"] {
-        let [(_, error)] = &draw(&gpu, &scene, &format!("silhouette_cs,{variant}"), 1)[..] else {
+    for method in [
+        "silhouette_cs",
+        "silhouette_cs,plan=auto",
+        "silhouette_vs",
+        "silhouette_vs,plan=auto",
+    ] {
+        let [(_, error)] = &draw(&gpu, &scene, method, 1)[..] else {
             panic!()
         };
-        assert_eq!(error.artifact_px, 0, "{variant}");
-        assert!(error.compared_px > 0, "{variant}");
+        assert_eq!(error.artifact_px, 0, "{method}");
+        assert!(error.compared_px > 0, "{method}");
     }
+    let mesh_shaders = Registry::builtin();
+    let mesh_shaders = mesh_shaders.get("silhouette_ms").unwrap().info;
+    let reasons = mesh_shaders.needs.iter().map(|need| gpu.check(*need));
+    let reasons: Vec<_> = reasons.filter_map(Result::err).collect();
+    assert!(reasons[0].contains("task and mesh shaders"), "{reasons:?}");
     gpu.wait_idle();
 }

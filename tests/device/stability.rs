@@ -9,13 +9,14 @@ use svbench::stress::{Finding, find_cause, random};
 
 pub(crate) const SIZE_PX: (u32, u32) = (160, 120);
 /// What promises to be exact.
-const ROBUST: [&str; 9] = [
+const ROBUST: [&str; 10] = [
     "silhouette_ts",
     "silhouette_gs",
     "silhouette_gs,counting=auto",
     "silhouette_cpu",
     "silhouette_cs",
     "silhouette_ms",
+    "silhouette_vs",
     "silhouette_cpu,counting=auto",
     "triangle_ts",
     "triangle_gs",
@@ -87,7 +88,9 @@ fn a_counter_of_eight_bits_is_zero_again_at_256() {
     for method in ROBUST {
         // An open sheet is counted once, a closed shell twice: on its way in and on its way out. Where only triangles
         // that face the light cast, once.
-        let casts_once = method.starts_with("silhouette_c");
+        let casts_once = ["silhouette_c", "silhouette_vs"]
+            .iter()
+            .any(|id| method.starts_with(id));
         let shells = if casts_once { 256.0 } else { 128.0 };
         for (cause, wraps_at) in [("stacked_sheets", 256.0), ("nested_shells", shells)] {
             let at = |count: f64| artifacts(&judge, method, cause, count);

@@ -481,6 +481,7 @@ fn lists_say_what_can_run_here() {
             "silhouette_cpu",
             "silhouette_cs",
             "silhouette_ms",
+            "silhouette_vs",
             "triangle_ts",
             "triangle_gs",
             "shadow_map",

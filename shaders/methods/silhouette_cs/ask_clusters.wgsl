@@ -1,8 +1,7 @@
 // Asks the edges of clusters whose planes may lie on both sides of the light's hyperplane, by the facings of their own
 // triangles, and marks those with faces: see src/geometry/silhouette/clusters.rs.
-#include "shared/frame.wgsl"
-#include "shared/facing.wgsl"
-#include "methods/silhouette_cs/multiplicity.wgsl"
+#include "methods/silhouette/facing_by_positions.wgsl"
+#include "methods/silhouette_cs/asked.wgsl"
 
 struct Cluster {
     low: vec4<f32>,
@@ -22,20 +21,10 @@ struct DualLight {
 @group(1) @binding(0) var<storage, read> clusters: array<Cluster>;
 // The edges of all clusters, 16 each: their numbers, and where they are marked.
 @group(1) @binding(5) var<storage, read> cluster_edges: array<vec2<u32>>;
-@group(1) @binding(6) var<storage, read> positions: array<vec4<f32>>;
 // A bit for each edge of a block.
 @group(1) @binding(7) var<storage, read_write> marks: array<atomic<u32>>;
 
 const EDGES: u32 = 16u;
-
-// Ends of the edge that is asked.
-var<private> end_a: vec3<f32>;
-var<private> end_b: vec3<f32>;
-
-// The facing along it of the triangle with this opposite vertex.
-fn facing_along(opposite: u32, along: i32) -> i32 {
-    return facing(end_a, end_b, positions[opposite].xyz, frame.light);
-}
 
 @compute @workgroup_size(64)
 fn ask_clusters(@builtin(global_invocation_id) at: vec3<u32>) {

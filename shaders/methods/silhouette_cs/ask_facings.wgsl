@@ -1,7 +1,7 @@
 // Asks every edge, by the facings of all triangles, and marks those with faces.
 #include "methods/silhouette_cs/blocks.wgsl"
 #include "methods/silhouette_cs/facing_bits.wgsl"
-#include "methods/silhouette_cs/multiplicity.wgsl"
+#include "methods/silhouette_cs/asked.wgsl"
 
 // See find_facings.wgsl.
 @group(1) @binding(5) var<storage, read> facings: array<vec2<u32>>;

@@ -1,5 +1,5 @@
 // Blocks of edges or triangles: twin of src/methods/silhouette_cs/blocks.rs.
-#include "methods/silhouette_cs/plans.wgsl"
+#include "methods/silhouette/plans.wgsl"
 
 @group(1) @binding(0) var<storage, read> blocks: array<vec2<u32>>;
 

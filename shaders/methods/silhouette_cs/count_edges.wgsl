@@ -1,6 +1,7 @@
 // How many corners the faces of each block's edges have, by how they are counted. That does not depend on the order of
 // invocations, so nor does the order of faces.
 #include "methods/silhouette_cs/blocks.wgsl"
+#include "methods/silhouette_cs/weights.wgsl"
 
 // The edges of each block with faces.
 @group(1) @binding(2) var<storage, read> marks: array<u32>;
@@ -14,7 +15,7 @@ fn of_edges(block: Block, plan: Plan, marked: u32) -> vec4<u32> {
     var quads = vec2<u32>(0u);
     for (var left = marked; left != 0u; left &= left - 1u) {
         let sums = bitcast<i32>(multiplicities[block.first + firstTrailingBit(left)]);
-        quads += vec2<u32>(abs(vec2<i32>(extractBits(sums, 0u, 16u), extractBits(sums, 16u, 16u))));
+        quads += vec2<u32>(faces_of(extractBits(sums, 0u, 16u)), faces_of(extractBits(sums, 16u, 16u)));
     }
     let sides = quads.x * side_corners(plan);
     let in_front = select(0u, 3u, plan.fan_in_front);

@@ -1,6 +1,7 @@
 // Sides and fans.
 #include "methods/silhouette_cs/blocks.wgsl"
 #include "methods/silhouette_cs/elements.wgsl"
+#include "methods/silhouette_cs/weights.wgsl"
 
 // See multiplicity.wgsl.
 @group(1) @binding(2) var<storage, read> edges: array<vec4<u32>>;
@@ -11,13 +12,14 @@
 
 // The side quads of an edge. Both windings are cut along one diagonal: see src/methods/side_quad.rs. Gives where to go on.
 fn emit_sides(first: u32, edge: vec4<u32>, multiplicity: i32, plan: Plan) -> u32 {
-    let a = edge.x;
-    let b = edge.y;
-    let far_a = select(a, 0u, plan.far_ends_meet) | plan.far;
-    let far_b = b | plan.far;
     let is_left = multiplicity > 0;
     var at = first;
-    for (var quad = 0; quad < abs(multiplicity); quad++) {
+    for (var quad = 0u; quad < faces_of(multiplicity); quad++) {
+        let weight = weight_bits(multiplicity, quad);
+        let a = edge.x | weight;
+        let b = edge.y | weight;
+        let far_a = select(a, weight, plan.far_ends_meet) | plan.far;
+        let far_b = b | plan.far;
         emit(at, a, select(b, far_a, is_left), select(far_a, b, is_left));
         if !plan.far_ends_meet {
             emit(at + 3u, b, select(far_b, far_a, is_left), select(far_a, far_b, is_left));
@@ -32,12 +34,13 @@ fn emit_fans(first: u32, edge: vec4<u32>, multiplicity: i32, plan: Plan) -> u32 
     if !plan.fan_in_front && !plan.fan_behind {
         return first;
     }
-    let apex = apexes[edge.x];
     let is_left = multiplicity > 0;
-    let left = select(edge.y, edge.x, is_left);
-    let right = select(edge.x, edge.y, is_left);
     var at = first;
-    for (var i = 0; i < abs(multiplicity); i++) {
+    for (var i = 0u; i < faces_of(multiplicity); i++) {
+        let weight = weight_bits(multiplicity, i);
+        let apex = apexes[edge.x] | weight;
+        let left = select(edge.y, edge.x, is_left) | weight;
+        let right = select(edge.x, edge.y, is_left) | weight;
         if plan.fan_in_front {
             emit(at, apex, left, right);
             at += 3u;

@@ -1,23 +1,34 @@
-// A corner of a shadow volume by its number: see src/methods/portable_volumes.rs. All faces are drawn by this one entry
-// point, so the same corner has the same bits in all of them.
+// A corner of a shadow volume by its number: see src/methods/corner.rs. All faces of a frame are drawn by one entry point, so
+// the same corner has the same bits in all of them.
 #include "shared/extrude.wgsl"
 
 @group(1) @binding(0) var<storage, read> positions: array<vec4<f32>>;
 
-@vertex
-fn corner(@builtin(vertex_index) number: u32) -> @invariant @builtin(position) vec4<f32> {
-    let p = positions[number & 0x1fffffffu].xyz;
-    let place = number >> 29u;
+// Where the weight of a face begins in the numbers of its corners.
+override vertex_bits: u32 = 29u;
+
+fn position_of(vertex: u32, place: u32) -> vec4<f32> {
+    let p = positions[vertex].xyz;
     if place == 0u {
         return clip_near(p);
     }
     return clip_far(p, place - 1u);
 }
 
-// What a face adds to a count where it is seen from outside of the volume; from inside it takes it away.
-override seen_from_outside: f32 = 1.0;
+@vertex
+fn corner(@builtin(vertex_index) number: u32) -> @invariant @builtin(position) vec4<f32> {
+    return position_of(number & 0x1fffffffu, number >> 29u);
+}
 
-@fragment
-fn count(@builtin(front_facing) is_outside: bool) -> @location(0) f32 {
-    return select(-seen_from_outside, seen_from_outside, is_outside);
+struct WeightedCorner {
+    @invariant @builtin(position) position: vec4<f32>,
+    // How often the face counts.
+    @location(0) @interpolate(flat) weight: f32,
+}
+
+@vertex
+fn weighted_corner(@builtin(vertex_index) number: u32) -> WeightedCorner {
+    let vertex = extractBits(number, 0u, vertex_bits);
+    let weight = extractBits(number, vertex_bits, 29u - vertex_bits) + 1u;
+    return WeightedCorner(position_of(vertex, number >> 29u), f32(weight));
 }

@@ -5,7 +5,7 @@ mod text;
 use crate::config::{builtin_scenes, find_scene};
 use crate::console;
 use crate::gpu::{DeviceSummary, Gpu, GpuError, GpuOptions, list_devices};
-use crate::methods::{MethodInfo, Parameter, Registration, Registry};
+use crate::methods::{Clash, Effect, MethodInfo, Parameter, Registration, Registry};
 use crate::record::stress::CauseRecord;
 use crate::scene::file::MeshSource;
 use crate::stress::corpus;
@@ -40,8 +40,34 @@ struct MethodRow<'a> {
     #[serde(flatten)]
     info: &'static MethodInfo,
     parameters: &'a [Parameter],
+    clashes: Vec<ClashRow>,
     available: bool,
     reason: String,
+}
+
+/// Parameters of a method that do not go together.
+#[derive(Serialize)]
+struct ClashRow {
+    beside: String,
+    parameters: Vec<&'static str>,
+    effect: Effect,
+    why: &'static str,
+}
+
+impl ClashRow {
+    fn all_of(info: &MethodInfo, parameters: &[Parameter]) -> Vec<Self> {
+        let row = |clash: &Clash| {
+            let (name, value) = clash.beside;
+            Self {
+                beside: format!("{name}={value}"),
+                parameters: clash.of(parameters),
+                effect: clash.effect,
+                why: clash.why,
+            }
+        };
+        let rows = info.clashes.iter().map(row);
+        rows.filter(|row| !row.parameters.is_empty()).collect()
+    }
 }
 
 #[derive(Serialize)]
@@ -116,6 +142,7 @@ fn methods<'a>(
         MethodRow {
             info,
             parameters: &known.parameters,
+            clashes: ClashRow::all_of(info, &known.parameters),
             available: checked.is_ok(),
             reason: checked.err().unwrap_or_default(),
         }

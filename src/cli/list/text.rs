@@ -2,7 +2,7 @@
 
 use super::{Listing, MethodRow, SceneRow};
 use crate::gpu::{Capability, DeviceSummary};
-use crate::methods::Limit;
+use crate::methods::{Effect, Limit};
 use crate::record::stress::CauseRecord;
 use std::fmt::Display;
 
@@ -66,6 +66,15 @@ impl Text {
             let domain = &parameter.domain;
             self.about(format!("parameter: {name} = {default} ({domain})"));
             self.detail(&parameter.words);
+        }
+        for clash in &row.clashes {
+            let parameters = clash.parameters.join(", ");
+            let effect = match clash.effect {
+                Effect::Refused => "cannot be set as well",
+                Effect::Ignored => "makes no difference",
+            };
+            self.about(format!("beside {}: {parameters} {effect}", clash.beside));
+            self.detail(clash.why);
         }
         self.availability(row.available, &row.reason);
     }

@@ -4,13 +4,13 @@
 
 use crate::geometry::Casting;
 use crate::methods::capping::{CappedPlan, Capping, Caps};
-use crate::methods::portable_volumes::{far, near};
+use crate::methods::corner::{Weights, far, near};
 use crate::methods::side_quad::DirectedEdge;
 use crate::methods::volume_parameters::FrontCap;
 
 /// The corners of all faces, three a triangle, by how they are counted.
-#[derive(Default)]
 pub(super) struct Faces {
+    weights: Weights,
     pub(super) depth_passes: Vec<u32>,
     pub(super) depth_fails: Vec<u32>,
     pub(super) everywhere: Vec<u32>,
@@ -19,6 +19,16 @@ pub(super) struct Faces {
 }
 
 impl Faces {
+    pub(super) fn new(weights: Weights) -> Self {
+        Self {
+            weights,
+            depth_passes: Vec::new(),
+            depth_fails: Vec::new(),
+            everywhere: Vec::new(),
+            of_open_edges: Vec::new(),
+        }
+    }
+
     pub(super) fn clear(&mut self) {
         self.depth_passes.clear();
         self.depth_fails.clear();
@@ -33,7 +43,7 @@ impl Faces {
         } else {
             &mut self.depth_fails
         };
-        sides(faces, edge, plan);
+        sides(faces, self.weights, edge, plan);
     }
 
     /// That of an open edge, counted down after the rest.
@@ -42,7 +52,7 @@ impl Faces {
             multiplicity: -edge.multiplicity,
             ..*edge
         };
-        sides(&mut self.of_open_edges, &counted_down, plan);
+        sides(&mut self.of_open_edges, self.weights, &counted_down, plan);
     }
 
     /// The triangle of a fan between an edge and a vertex of the same part of a mesh. With those of all silhouette edges
@@ -51,9 +61,9 @@ impl Faces {
         let &DirectedEdge { a, b, multiplicity } = edge;
         if apex != a && apex != b {
             let (a, b) = if multiplicity > 0 { (a, b) } else { (b, a) };
-            for _ in 0..multiplicity.unsigned_abs() {
+            for weight in self.weights.of_faces(multiplicity.unsigned_abs()) {
                 self.everywhere
-                    .extend_from_slice(&[near(apex), near(a), near(b)]);
+                    .extend([apex, a, b].map(|vertex| near(vertex) | weight));
             }
         }
     }
@@ -63,9 +73,9 @@ impl Faces {
         let &DirectedEdge { a, b, multiplicity } = edge;
         if apex != a && apex != b && !plan.far_ends_meet {
             let (a, b) = if multiplicity > 0 { (b, a) } else { (a, b) };
-            for _ in 0..multiplicity.unsigned_abs() {
-                self.everywhere
-                    .extend_from_slice(&[apex, a, b].map(|vertex| far(vertex, plan.caster.end)));
+            for weight in self.weights.of_faces(multiplicity.unsigned_abs()) {
+                let far = |vertex| far(vertex, plan.caster.end) | weight;
+                self.everywhere.extend([apex, a, b].map(far));
             }
         }
     }
@@ -112,7 +122,7 @@ impl Faces {
 }
 
 /// Adds the side quads of an edge; where far ends meet, triangles.
-fn sides(faces: &mut Vec<u32>, edge: &DirectedEdge, plan: CappedPlan) {
+fn sides(faces: &mut Vec<u32>, weights: Weights, edge: &DirectedEdge, plan: CappedPlan) {
     let far_of = |vertex| far(if plan.far_ends_meet { 0 } else { vertex }, plan.caster.end);
     let quad = edge.quad(near, far_of);
     let corners = if plan.far_ends_meet {
@@ -120,7 +130,7 @@ fn sides(faces: &mut Vec<u32>, edge: &DirectedEdge, plan: CappedPlan) {
     } else {
         &quad[..]
     };
-    for _ in 0..edge.multiplicity.unsigned_abs() {
-        faces.extend_from_slice(corners);
+    for weight in weights.of_faces(edge.multiplicity.unsigned_abs()) {
+        faces.extend(corners.iter().map(|corner| corner | weight));
     }
 }

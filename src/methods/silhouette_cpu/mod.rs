@@ -6,11 +6,12 @@ mod extraction;
 mod faces;
 
 use super::capping::{CappedPlan, Capping, Caps, fan_apexes};
+use super::corner::Weights;
 use super::plan::Planner;
 use super::portable_volumes::{Corners, EXTRACT_STAGE, FaceDraws, PortableVolumes};
 use super::volume_parameters::{CASTING_WORDS, VolumeParameters};
 use super::volumes::{CHOOSE_STAGE, OPEN_EDGES_STAGE, RESOLVE_REST_STAGE, STENCIL, VOLUMES_STAGE};
-use super::{MethodError, MethodInfo, PrepareContext, ShadowMethod, volume_limits};
+use super::{MethodError, MethodInfo, PrepareContext, ShadowMethod, clash, volume_limits};
 use crate::frame::{DepthSetup, DrawnVolumes, Frame, PreparedMethod, RESOLVE_STAGE};
 use crate::geometry::silhouette::{Facings, HEXTREE_DEPTH, SilhouetteEdge};
 use crate::geometry::{Casting, Determinism, OpenEdges, Topology};
@@ -31,6 +32,7 @@ pub(super) static INFO: MethodInfo = MethodInfo {
     source: "Wallner 2006, sections 4 and 5",
     needs: &[STENCIL],
     limits: &[volume_limits::LIMITS],
+    clashes: clash::OF_VOLUMES,
     tolerated_share: 0.0,
 };
 
@@ -76,6 +78,7 @@ impl ShadowMethod for SilhouetteCpu {
             caps: self.caps,
             closed: triangles.closed_casters(&mesh, &topology),
         };
+        let weights = Weights::new(&mesh, volume.counter)?;
         let edges = CasterEdges::new(&mesh, &topology, triangles);
         let apexes = match self.caps {
             Caps::Fan => fan_apexes(&mesh, &topology),
@@ -85,11 +88,11 @@ impl ShadowMethod for SilhouetteCpu {
             extractor: Extractor::new(self.extraction, self.hextree_depth, &mesh, &topology),
             silhouette: Vec::new(),
             keep: self.keep,
-            volumes: PortableVolumes::new(context, &volume)?,
+            volumes: PortableVolumes::of_corners(context, &volume, weights)?,
             facings: Facings::new(&mesh),
             of_triangles: vec![0; mesh.triangles.len()],
             elements: elements(context.gpu, 0)?,
-            faces: Faces::default(),
+            faces: Faces::new(weights),
             kept: None,
             drawn: DrawnVolumes::default(),
             mesh,
@@ -180,7 +183,7 @@ impl PreparedMethod for CpuVolumes {
         frame.stage(VOLUMES_STAGE, |stage| {
             self.volumes.counts.begin(stage);
             self.volumes
-                .record(stage, resources, &self.elements, &corners);
+                .record(stage, resources, Some(&self.elements), &corners);
         });
         self.volumes
             .counts
@@ -188,7 +191,7 @@ impl PreparedMethod for CpuVolumes {
         if let Some(near_count) = plan.near_count_of_rest {
             frame.stage(OPEN_EDGES_STAGE, |stage| {
                 self.volumes
-                    .record_open_edges(stage, resources, &self.elements, &corners);
+                    .record_open_edges(stage, resources, Some(&self.elements), &corners);
             });
             self.volumes
                 .counts
@@ -297,6 +300,7 @@ impl CpuVolumes {
             depth_fails,
             everywhere,
             of_open_edges,
+            ..
         } = &self.faces;
         let lists = [depth_passes, depth_fails, everywhere, of_open_edges];
         let bytes = |corners: usize| (corners * size_of::<u32>()) as u64;

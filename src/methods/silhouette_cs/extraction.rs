@@ -4,10 +4,12 @@ use super::blocks::Blocks;
 use super::kernel::Kernel;
 use super::kernels::{Ask, Emit, Kernels};
 use super::tables::{Tables, words};
-use super::{DrawCalls, Extraction, SilhouetteCs, plans};
+use super::{DrawCalls, Extraction, SilhouetteCs};
 use crate::geometry::Casting;
 use crate::gpu::Stage;
 use crate::methods::capping::{CappedPlan, Capping};
+use crate::methods::corner::Weights;
+use crate::methods::plan_words;
 use crate::methods::portable_volumes::{Corners, FaceDraws, INDIRECT_BYTES};
 use crate::methods::{MethodError, PrepareContext};
 use glam::Vec4;
@@ -36,7 +38,7 @@ impl Extractor {
     pub(super) fn new(
         context: &PrepareContext<'_>,
         parameters: &SilhouetteCs,
-        capping: &Capping,
+        (capping, weights): (&Capping, Weights),
     ) -> Result<Self, MethodError> {
         let gpu = context.gpu;
         let blocks = Blocks::new(&context.casters.mesh, context.casters.topology());
@@ -57,6 +59,7 @@ impl Extractor {
         let kernels = Kernels {
             context,
             tables: &tables,
+            weights,
             count: blocks.blocks.len() as u32,
         };
         let ask = match extraction {
@@ -91,7 +94,7 @@ impl Extractor {
         plans: &[CappedPlan],
         light: Vec4,
     ) -> anyhow::Result<()> {
-        let words: Vec<_> = plans.iter().copied().map(plans::word).collect();
+        let words: Vec<_> = plans.iter().copied().map(plan_words::word).collect();
         stage.upload(&self.tables.plans, 0, bytemuck::cast_slice(&words))?;
         if let Ask::Clusters {
             clusters,

@@ -8,6 +8,7 @@ use crate::geometry::silhouette::{ClusterBox, ClusterLight, EdgeClusters};
 use crate::gpu::{DeviceError, shader};
 use crate::methods::PrepareContext;
 use crate::methods::capping::{Capping, Caps};
+use crate::methods::corner::Weights;
 use crate::methods::volume_parameters::FrontCap;
 use wgpu::BufferUsages as Usage;
 
@@ -35,6 +36,7 @@ pub(super) struct Emit {
 pub(super) struct Kernels<'a> {
     pub(super) context: &'a PrepareContext<'a>,
     pub(super) tables: &'a Tables,
+    pub(super) weights: Weights,
     /// Of the blocks.
     pub(super) count: u32,
 }
@@ -178,7 +180,8 @@ impl Kernels<'_> {
         } = self.tables;
         let buffers = [blocks, plans, marks, multiplicities, corners];
         let buffers: Vec<_> = (0..).zip(buffers).collect();
-        self.kernel("count_edges", &[], &buffers, self.count)
+        let constants = &self.weight_constants();
+        self.kernel("count_edges", constants, &buffers, self.count)
     }
 
     pub(super) fn count_triangles(&self, capping: &Capping) -> Kernel {
@@ -199,6 +202,14 @@ impl Kernels<'_> {
             of_edges: self.emit_edges(round),
             of_triangles: self.emit_triangles(capping, round),
         }
+    }
+
+    /// See weights.wgsl.
+    fn weight_constants(&self) -> [(&'static str, f64); 2] {
+        [
+            ("most_weight", f64::from(self.weights.most())),
+            ("vertex_bits", f64::from(self.weights.vertex_bits)),
+        ]
     }
 
     /// See elements.wgsl.
@@ -231,8 +242,8 @@ impl Kernels<'_> {
             (8, corners),
             (9, elements),
         ];
-        let constants = &self.round_constants(round);
-        self.kernel("emit_edges", constants, &buffers, self.count)
+        let constants = [self.weight_constants(), self.round_constants(round)].concat();
+        self.kernel("emit_edges", &constants, &buffers, self.count)
     }
 
     fn emit_triangles(&self, capping: &Capping, round: u32) -> Kernel {

@@ -5,15 +5,15 @@ mod blocks;
 mod extraction;
 mod kernel;
 mod kernels;
-mod plans;
 mod tables;
 
 use super::capping::{Capping, Caps};
+use super::corner::Weights;
 use super::plan::Planner;
 use super::portable_volumes::{EXTRACT_STAGE, PortableVolumes};
 use super::volume_parameters::{CASTING_WORDS, VolumeParameters};
 use super::volumes::{CHOOSE_STAGE, OPEN_EDGES_STAGE, RESOLVE_REST_STAGE, STENCIL, VOLUMES_STAGE};
-use super::{MethodError, MethodInfo, PrepareContext, ShadowMethod, volume_limits};
+use super::{MethodError, MethodInfo, PrepareContext, ShadowMethod, clash, volume_limits};
 use crate::frame::{DepthSetup, DrawnVolumes, Frame, PreparedMethod, RESOLVE_STAGE};
 use crate::geometry::{Casting, Determinism};
 use crate::parameters;
@@ -27,6 +27,7 @@ pub(super) static INFO: MethodInfo = MethodInfo {
     source: "left to future work in Milet et al. 2014; clusters after Wallner 2006, section 2.1",
     needs: &[STENCIL],
     limits: &[volume_limits::LIMITS],
+    clashes: clash::OF_VOLUMES,
     tolerated_share: 0.0,
 };
 
@@ -93,9 +94,10 @@ impl ShadowMethod for SilhouetteCs {
             caps: self.caps,
             closed: triangles.closed_casters(&casters.mesh, casters.topology()),
         };
+        let weights = Weights::new(&casters.mesh, volume.counter)?;
         Ok(Box::new(CsVolumes {
-            extractor: Extractor::new(context, self, &capping)?,
-            volumes: PortableVolumes::new(context, &volume)?,
+            extractor: Extractor::new(context, self, (&capping, weights))?,
+            volumes: PortableVolumes::of_corners(context, &volume, weights)?,
             planner: Planner::new(context, volume, casting, Determinism::default()),
             capping,
             drawn: DrawnVolumes::default(),
@@ -131,7 +133,7 @@ impl PreparedMethod for CsVolumes {
         let Self {
             extractor, volumes, ..
         } = self;
-        let elements = extractor.elements();
+        let elements = Some(extractor.elements());
         frame.stage(VOLUMES_STAGE, |stage| {
             volumes.counts.begin(stage);
             for round in 0..extractor.rounds() {

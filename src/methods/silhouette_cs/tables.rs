@@ -2,19 +2,11 @@
 
 use super::Extraction;
 use super::blocks::Blocks;
-use crate::geometry::silhouette::SilhouetteEdge;
-use crate::geometry::{EdgeTriangle, Topology};
 use crate::gpu::{DeviceError, Gpu};
 use crate::methods::capping::{Caps, fan_apexes};
-use crate::methods::side_quad::DirectedEdge;
+use crate::methods::device_edges::{self, SidesBy, edges_and_sides};
 use crate::methods::{Casters, MethodError, PrepareContext};
 use wgpu::BufferUsages as Usage;
-
-/// Bits of an edge's last word that are the number of its triangles: multiplicities are kept in 16 bits. Those above say whose
-/// edge it is.
-const TRIANGLE_BITS: u32 = 15;
-const MOST_TRIANGLES: u32 = (1 << TRIANGLE_BITS) - 1;
-const MOST_CASTERS: usize = 1 << (32 - TRIANGLE_BITS);
 
 /// Most corners of the faces of an edge for each of its triangles: of a side quad and two triangles of fans, and of a side
 /// of an open edge.
@@ -45,6 +37,16 @@ pub(super) struct Tables {
     pub(super) rounds: u32,
 }
 
+impl Extraction {
+    /// What it knows the triangles of an edge by.
+    fn sides_by(self) -> SidesBy {
+        match self {
+            Self::Clusters => SidesBy::OppositeVertex,
+            Self::Facings => SidesBy::Triangle,
+        }
+    }
+}
+
 impl Tables {
     pub(super) fn new(
         context: &PrepareContext<'_>,
@@ -56,8 +58,8 @@ impl Tables {
         let gpu = context.gpu;
         let casters = &*context.casters;
         let (mesh, topology) = (&*casters.mesh, &**casters.topology());
-        check(topology, blocks.of_casters.len() - 1)?;
-        let (edges, sides) = edges_and_sides(casters, extraction);
+        device_edges::check(topology, blocks.of_casters.len() - 1)?;
+        let (edges, sides) = edges_and_sides(casters, extraction.sides_by());
         let apexes = match caps {
             Caps::Fan => fan_apexes(mesh, topology),
             Caps::Triangles | Caps::FarTriangles => Vec::new(),
@@ -129,55 +131,4 @@ fn most_bytes_of_device(gpu: &Gpu) -> u64 {
 /// A buffer for shaders to read.
 pub(super) fn words(gpu: &Gpu, what: &str, contents: &[u32]) -> Result<wgpu::Buffer, DeviceError> {
     gpu.buffer(what, bytemuck::cast_slice(contents), Usage::STORAGE)
-}
-
-fn check(topology: &Topology, casters: usize) -> Result<(), MethodError> {
-    let triangles = topology.edges.iter().map(|edge| edge.opposite_count);
-    let most = triangles.max().unwrap_or(0);
-    if most > MOST_TRIANGLES {
-        let message = format!(
-            "an edge with {most} triangles has more than the {MOST_TRIANGLES} that it can count"
-        );
-        return Err(MethodError::Unavailable(message));
-    }
-    if casters > MOST_CASTERS {
-        let message =
-            format!("{casters} objects are more than the {MOST_CASTERS} that it can number");
-        return Err(MethodError::Unavailable(message));
-    }
-    Ok(())
-}
-
-/// The edges with their ends in the vertex order, and their triangles: see multiplicity.wgsl.
-fn edges_and_sides(casters: &Casters, extraction: Extraction) -> (Vec<[u32; 4]>, Vec<u32>) {
-    let (mesh, topology) = (&casters.mesh, casters.topology());
-    let triangles = casters.edge_triangles();
-    let mut sides = Vec::with_capacity(topology.opposites.len());
-    let objects = mesh.objects.iter().zip(&topology.object_edges);
-    let of_casters = objects.filter(|(object, _)| object.casts_shadow);
-    let of_casters = (0..).zip(of_casters);
-    let numbers =
-        of_casters.flat_map(|(caster, (_, edges))| edges.clone().map(move |edge| (caster, edge)));
-    let edges = numbers.map(|(caster, number): (u32, u32)| {
-        let edge = &topology.edges[number as usize];
-        let found = SilhouetteEdge {
-            edge: number,
-            multiplicity: 1,
-        };
-        let directed = DirectedEdge::new(mesh, topology, found);
-        let is_swapped = directed.multiplicity < 0;
-        let first = sides.len() as u32;
-        let side = |(opposite, own): (&u32, &EdgeTriangle)| {
-            let other = match extraction {
-                Extraction::Clusters => *opposite,
-                Extraction::Facings => own.triangle() as u32,
-            };
-            2 * other + u32::from(own.is_along() == is_swapped)
-        };
-        let opposites = topology.opposites_of(*edge).iter();
-        sides.extend(opposites.zip(triangles.of(*edge)).map(side));
-        let word = edge.opposite_count | caster << TRIANGLE_BITS;
-        [directed.a, directed.b, first, word]
-    });
-    (edges.collect(), sides)
 }

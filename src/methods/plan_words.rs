@@ -1,11 +1,11 @@
 //! How the volumes of casters are drawn, for the device.
 
+use super::capping::CappedPlan;
 use crate::geometry::Casting;
-use crate::methods::capping::CappedPlan;
 
 /// The plan of a caster in a word: whether it is drawn (bit 0) and counted z-pass (1), what casts (2 and 3), whether its caps are
 /// fans, in front (4) and behind (5), whether its far ends meet (6), and the number of its end plane, plus 1 (from 8 on).
-/// Twin of `Plan` in `shaders/methods/silhouette_cs/plans.wgsl`.
+/// Twin of `Plan` in `shaders/methods/silhouette/plans.wgsl`.
 pub(super) fn word(plan: CappedPlan) -> u32 {
     let CappedPlan {
         caster,

@@ -1,4 +1,4 @@
-// How the volumes of casters are drawn: twin of src/methods/silhouette_cs/plans.rs.
+// How the volumes of casters are drawn: twin of src/methods/plan_words.rs.
 
 @group(1) @binding(1) var<storage, read> plans: array<u32>;
 

@@ -1,20 +1,12 @@
 // How often the faces of an edge count. Who includes this says how the facing of a triangle is found.
-#include "methods/silhouette_cs/plans.wgsl"
+#include "methods/silhouette/plans.wgsl"
 
 // Ends in the vertex order, where its triangles begin, and in a word how many they are (15 bits) and whose edge it is.
 @group(1) @binding(2) var<storage, read> edges: array<vec4<u32>>;
 // Of each triangle of an edge its opposite vertex, or its number; and in the lowest bit whether it goes from the second end to
 // the first.
 @group(1) @binding(3) var<storage, read> sides: array<u32>;
-// Of each edge that is marked: the sum of the facings of the triangles that cast, and of windings to be counted after the others,
-// in 16 bits each.
-@group(1) @binding(4) var<storage, read_write> multiplicities: array<u32>;
-
-fn pack(sums: vec2<i32>) -> u32 {
-    return (u32(sums.x) & 0xffffu) | (u32(sums.y) << 16u);
-}
-
-// Both sums of an edge.
+// Of an edge the sum of the facings of the triangles that cast, and that of windings to be counted after the others.
 fn multiplicities_of(edge: vec4<u32>) -> vec2<i32> {
     let plan = plan_of(edge.w >> 15u);
     if !plan.is_drawn {
