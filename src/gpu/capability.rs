@@ -14,8 +14,10 @@ pub(super) enum Source {
     Wgpu(wgpu::Features),
     /// A feature of Vulkan's core set, which wgpu keeps to itself.
     VulkanFeature(fn(&mut vk::PhysicalDeviceFeatures) -> &mut vk::Bool32),
-    /// An extension of Vulkan that wgpu does not use, and the features in it, if it has any.
+    /// An extension of Vulkan that is not asked of wgpu, and the features in it, if it has any.
     VulkanExtension(&'static CStr, Option<fn() -> Box<dyn ExtensionFeature>>),
+    /// The same on devices of Vulkan 1.2 and later.
+    VulkanExtension12(&'static CStr, fn() -> Box<dyn ExtensionFeature>),
     /// What optimally tiled images of a format can be used for in Vulkan; nothing to switch on.
     VulkanFormat(vk::Format, vk::FormatFeatureFlags),
 }
@@ -127,13 +129,13 @@ capabilities! {
     /// Colours of 32-bit floats that are blended.
     FloatBlending: "float_blending", "blending of 32-bit floats",
         Wgpu(wgpu::Features::FLOAT32_BLENDABLE);
-    /// Task and mesh shaders.
+    /// Task and mesh shaders, whose code needs what Vulkan 1.2 has.
     MeshStage: "mesh_stage", "task and mesh shaders (Vulkan)",
-        VulkanExtension(vk::EXT_MESH_SHADER_NAME, Some(|| {
+        VulkanExtension12(vk::EXT_MESH_SHADER_NAME, || {
             features(|of: &mut vk::PhysicalDeviceMeshShaderFeaturesEXT<'_>| {
                 vec![&mut of.task_shader, &mut of.mesh_shader]
             })
-        }));
+        });
 }
 
 impl Serialize for Capability {

@@ -41,7 +41,7 @@ impl Clash {
     }
 }
 
-/// Those of volume methods. Whatever is not among them goes together: each way to find silhouettes with each counter, way of
+/// Those of volume methods. Whatever is not among them may be set together: each way to find silhouettes with each counter, way of
 /// counting and plan.
 pub(super) const OF_VOLUMES: &[Clash] = &[
     Clash {
@@ -56,7 +56,7 @@ pub(super) const OF_VOLUMES: &[Clash] = &[
         beside: ("counting", "z_fail"),
         parameters: &["casting=each_side"],
         effect: Effect::Ignored,
-        why: "a second count goes on where the first has ended, in front of what is visible: all triangles cast",
+        why: "a second count goes on where the first has ended, in front of what is visible: of objects that are not closed, all triangles cast",
     },
     Clash {
         beside: ("counting", "z_pass"),

@@ -2,6 +2,7 @@
 //! silhouette.
 
 use super::clash;
+use super::device_edges;
 use super::edge_records::EdgeRecords;
 use super::faces::{ChooseDraws, Draws, Elements, Faces, Fragments, SELECT_STAGE};
 use super::volume_limits;
@@ -60,13 +61,15 @@ impl ShadowMethod for SilhouetteMs {
     ) -> Result<Box<dyn PreparedMethod>, MethodError> {
         let parameters = &self.volume.planned(&context.scene.flight.light)?;
         let context = &parameters.casters(context)?;
-        let topology = context.casters.topology();
+        let casters = &context.casters;
+        let topology = casters.topology();
+        device_edges::check(topology, casters.mesh.caster_object_count())?;
         let triangles = match parameters.casting {
-            Casting::LightFacing | Casting::EachSide => Some(&**context.casters.edge_triangles()),
+            Casting::LightFacing | Casting::EachSide => Some(&**casters.edge_triangles()),
             Casting::All => None,
         };
         // No edge is split, so records have the numbers of their edges.
-        let edges = EdgeRecords::new(&context.casters.mesh, topology, triangles, u32::MAX);
+        let edges = EdgeRecords::new(&casters.mesh, topology, triangles, u32::MAX);
         assert_eq!(edges.edges.len(), topology.edges.len());
         let clusters = clusters(context, &edges.objects, self.edges_per_task);
         let counters = vec![

@@ -3,7 +3,7 @@
 use super::clash;
 use super::faces::{self, Faces, Fragments};
 use super::volume_limits;
-use super::volume_parameters::{FrontCap, StageVolumeParameters};
+use super::volume_parameters::{Counting, FrontCap, StageVolumeParameters};
 use super::volumes::{STENCIL, StencilVolumes};
 use super::{MethodError, MethodInfo, PrepareContext, ShadowMethod};
 use crate::frame::DepthSetup;
@@ -90,9 +90,12 @@ fn single(
     context: &PrepareContext<'_>,
     parameters: &StageVolumeParameters,
 ) -> Result<Faces, MethodError> {
-    let push: &[_] = match parameters.front_cap {
-        FrontCap::Far => &[("PUSH_FRONT_CAP", 1)],
-        FrontCap::InPlace => &[],
+    // In z-pass, which has no caps, that cap must not count.
+    let is_pushed = parameters.front_cap == FrontCap::Far || parameters.counting == Counting::ZPass;
+    let push: &[_] = if is_pushed {
+        &[("PUSH_FRONT_CAP", 1)]
+    } else {
+        &[]
     };
     let defines = parameters.defines(push);
     let stages = vec![
@@ -101,9 +104,10 @@ fn single(
         shader::glsl("methods/triangle_ts/single.tese", &defines),
     ];
     Ok(Faces {
-        fragments: match parameters.front_cap {
-            FrontCap::Far => Fragments::PushFrontCap,
-            FrontCap::InPlace => Fragments::Count,
+        fragments: if is_pushed {
+            Fragments::PushFrontCap
+        } else {
+            Fragments::Count
         },
         ..faces::of_triangles(context, TRIANGLE_PATCH, stages)?
     })

@@ -1,4 +1,4 @@
-//! Shadow volumes counted in the stencil buffer: what all volume methods share.
+//! Shadow volumes that native stages make and passes count: what their methods share.
 //!
 //! A method says which [`Faces`] its volumes have and how they are made; here they are drawn and
 //! counted, z-fail, z-pass, or for each object whichever is right and draws less. The count of a pixel
@@ -11,10 +11,10 @@ use super::volume_parameters::{Counting, StageVolumeParameters, VolumeParameters
 use super::{MethodError, PrepareContext};
 use crate::frame::{DrawnVolumes, Frame, PreparedMethod, RESOLVE_STAGE};
 use crate::geometry::Casting;
-use crate::gpu::Capability;
 use crate::gpu::native::{
     BindingKind, Bindings, IndexedGeometry, NativePass, Pipeline, PipelineDesc, Raster, Target,
 };
+use crate::gpu::{Capability, Gpu};
 use std::ops::Range;
 
 /// Name of the stage that draws the volumes into the stencil buffer.
@@ -44,7 +44,8 @@ struct PreparedFaces {
 enum Drawn {
     Vertices,
     Indexed(IndexedGeometry),
-    Workgroups(u32),
+    /// So many elements each, and so many workgroups in a draw call at most.
+    Workgroups(u32, u32),
 }
 
 /// The shadow volumes of one scene.
@@ -148,7 +149,7 @@ impl PreparedFaces {
                 Elements::Indices(indices) => {
                     Drawn::Indexed(IndexedGeometry::new(device, positions, &indices)?)
                 }
-                Elements::Workgroups(size) => Drawn::Workgroups(size),
+                Elements::Workgroups(size) => Drawn::Workgroups(size, most_workgroups(context.gpu)),
             },
             draws: faces.draws,
         })
@@ -170,15 +171,26 @@ impl PreparedFaces {
             let is_drawn =
                 |plan: &CasterPlan| plan.is_drawn && plan.z_pass == is_z_pass && takes(plan);
             let objects = self.draws.of_frame().iter().zip(casters);
-            for (elements, plan) in together(objects.filter(|(_, plan)| is_drawn(plan))) {
-                self.draw_elements(pass, elements, plan);
+            let drawn = objects.filter(|(_, plan)| is_drawn(plan));
+            match self.drawn {
+                Drawn::Workgroups(..) => {
+                    for (elements, plan) in together(drawn) {
+                        self.draw_elements(pass, elements, plan);
+                    }
+                }
+                // One call an object, as in the papers.
+                Drawn::Vertices | Drawn::Indexed(_) => {
+                    for (elements, plan) in drawn {
+                        self.draw_elements(pass, elements.clone(), *plan);
+                    }
+                }
             }
         }
     }
 
     fn draw_elements(&self, pass: &mut NativePass<'_>, elements: Range<u32>, plan: CasterPlan) {
-        let size = match &self.drawn {
-            Drawn::Workgroups(size) => *size,
+        let (size, most) = match &self.drawn {
+            Drawn::Workgroups(size, most) => (*size, *most),
             Drawn::Vertices => {
                 pass.set_constants(constants(plan, &elements));
                 return pass.draw(elements);
@@ -188,12 +200,21 @@ impl PreparedFaces {
                 return pass.draw_indexed(elements);
             }
         };
-        let most = (NativePass::MOST_WORKGROUPS * size) as usize;
-        for start in elements.clone().step_by(most) {
-            let part = start..elements.end.min(start.saturating_add(most as u32));
+        let most = most * size;
+        for start in elements.clone().step_by(most as usize) {
+            let part = start..elements.end.min(start.saturating_add(most));
             pass.set_constants(constants(plan, &part));
             pass.draw_meshes((part.end - part.start).div_ceil(size));
         }
+    }
+}
+
+/// The most workgroups of a draw call. A processor keeps what all of a call make, and is 1.5 times as fast where that stays in
+/// its caches.
+fn most_workgroups(gpu: &Gpu) -> u32 {
+    match gpu.info.device_type {
+        wgpu::DeviceType::Cpu => 256,
+        _ => NativePass::MOST_WORKGROUPS,
     }
 }
 

@@ -155,7 +155,6 @@ fn a_light_may_pass_through_vertex_edge_and_face_plane() {
         "silhouette_cpu,extraction=hextree,caps=triangles",
         "silhouette_cs",
         "silhouette_cs,extraction=facings,counting=auto",
-        "silhouette_ms,casting=light_facing",
         "silhouette_vs",
         "silhouette_ts",
         "silhouette_gs",

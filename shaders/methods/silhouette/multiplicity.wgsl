@@ -6,7 +6,8 @@
 // Of each triangle of an edge its opposite vertex, or its number; and in the lowest bit whether it goes from the second end to
 // the first.
 @group(1) @binding(3) var<storage, read> sides: array<u32>;
-// Of an edge the sum of the facings of the triangles that cast, and that of windings to be counted after the others.
+
+// x: the sum of the facings of the triangles that cast. y: less the sum of windings, for the second count of EACH_SIDE.
 fn multiplicities_of(edge: vec4<u32>) -> vec2<i32> {
     let plan = plan_of(edge.w >> 15u);
     if !plan.is_drawn {

@@ -25,6 +25,8 @@ struct DualLight {
 @group(1) @binding(7) var<storage, read_write> marks: array<atomic<u32>>;
 
 const EDGES: u32 = 16u;
+// Where a cluster has fewer.
+const NO_EDGE: u32 = 0xffffffffu;
 
 @compute @workgroup_size(64)
 fn ask_clusters(@builtin(global_invocation_id) at: vec3<u32>) {
@@ -44,6 +46,9 @@ fn ask_clusters(@builtin(global_invocation_id) at: vec3<u32>) {
     let end = min(first + EDGES, arrayLength(&cluster_edges));
     for (var place = first; place < end; place++) {
         let number = cluster_edges[place].x;
+        if number == NO_EDGE {
+            continue;
+        }
         let edge = edges[number];
         end_a = positions[edge.x].xyz;
         end_b = positions[edge.y].xyz;

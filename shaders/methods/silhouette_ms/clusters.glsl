@@ -27,5 +27,6 @@ bool may_have_silhouette(Cluster cluster) {
     float least = dot(dual.light, mix(cluster.high, cluster.low, is_positive));
     float most = dot(dual.light, mix(cluster.low, cluster.high, is_positive));
     float doubt = dot(cluster.doubt, dual.size);
-    return least <= doubt && -most <= doubt;
+    // What is not a number is asked, too.
+    return !(least > doubt || -most > doubt);
 }

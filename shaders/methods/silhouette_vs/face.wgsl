@@ -23,65 +23,74 @@ struct Corner {
     @location(0) @interpolate(flat) weight: f32,
 }
 
-fn corner_at(vertex: u32, is_far: bool, plan: Plan) -> vec4<f32> {
-    if is_far {
-        // Where far ends meet, all are that of one vertex.
-        let p = positions[select(vertex, 0u, plan.far_ends_meet)].xyz;
-        return clip_far(p, (plan.far >> 29u) - 1u);
-    }
-    return clip_near(positions[vertex].xyz);
+// Which corner of the scene's volumes that is.
+struct Place {
+    vertex: u32,
+    is_far: bool,
+    caster: u32,
+    // 0 if there is none.
+    weight: i32,
 }
 
-fn no_corner() -> Corner {
-    return Corner(vec4<f32>(0.0, 0.0, 0.0, 1.0), 0.0);
-}
+const NOWHERE: Place = Place(0u, false, 0u, 0);
 
-fn side_corner(number: u32, corner: u32) -> Corner {
+fn place_of_side(number: u32, corner: u32) -> Place {
     let quad = quads[number];
     let edge = edges[quad.x];
-    let plan = plan_of(edge.w >> 15u);
+    let caster = edge.w >> 15u;
     end_a = positions[edge.x].xyz;
     end_b = positions[edge.y].xyz;
     let sums = multiplicities_of(edge);
     let multiplicity = select(sums.x, sums.y, number >= first_open);
     let count = abs(multiplicity);
-    if i32(quad.y) >= count || (plan.far_ends_meet && corner >= 3u) {
-        return no_corner();
+    if i32(quad.y) >= count || (corner >= 3u && plan_of(caster).far_ends_meet) {
+        return NOWHERE;
     }
     // a, far a, b and b, far a, far b; or wound the other way round, cut along the same diagonal: see src/methods/side_quad.rs.
-    var other_way = array<u32, 6>(0u, 2u, 1u, 3u, 5u, 4u);
-    let place = select(other_way[corner], corner, multiplicity > 0);
-    let is_b = ((0x2cu >> place) & 1u) != 0u;
-    let is_far = ((0x32u >> place) & 1u) != 0u;
-    let position = corner_at(select(edge.x, edge.y, is_b), is_far, plan);
-    return Corner(position, f32(select(1, count, weighted)));
+    // Bit i is that of corner i.
+    let is_left = multiplicity > 0;
+    let is_b = ((select(0x1au, 0x2cu, is_left) >> corner) & 1u) != 0u;
+    let is_far = ((select(0x34u, 0x32u, is_left) >> corner) & 1u) != 0u;
+    return Place(select(edge.x, edge.y, is_b), is_far, caster, select(1, count, weighted));
 }
 
-fn cap_corner(number: u32, is_back: bool) -> Corner {
+fn place_of_cap(number: u32, is_back: bool) -> Place {
     let triangle = number / 3u;
-    let plan = plan_of(casters[triangle]);
+    let caster = casters[triangle];
     let first = 3u * triangle;
     let a = positions[indices[first]].xyz;
     let b = positions[indices[first + 1u]].xyz;
     let c = positions[indices[first + 2u]].xyz;
     let side = facing(a, b, c, frame.light);
-    if side == 0 || (side < 0 && plan.casting != ALL) {
-        return no_corner();
+    if side == 0 || (side < 0 && plan_of(caster).casting != ALL) {
+        return NOWHERE;
     }
     // Counter-clockwise from outside: the front cap is seen from the light, the back cap from the other side.
     let corner = number % 3u;
     let is_turned = (side < 0) != is_back;
-    let place = select(corner, (3u - corner) % 3u, is_turned);
-    return Corner(corner_at(indices[first + place], is_back, plan), 1.0);
+    return Place(indices[first + select(corner, (3u - corner) % 3u, is_turned)], is_back, caster, 1);
 }
 
+fn place_of(number: u32) -> Place {
+    if number < first_front {
+        return place_of_side(number / 6u, number % 6u);
+    }
+    let is_back = number >= first_back;
+    return place_of_cap(number - select(first_front, first_back, is_back), is_back);
+}
+
+// All corners are projected here, so the same corner has the same bits in all faces.
 @vertex
-fn face(@builtin(vertex_index) vertex: u32) -> Corner {
-    if vertex < first_front {
-        return side_corner(vertex / 6u, vertex % 6u);
+fn face(@builtin(vertex_index) number: u32) -> Corner {
+    let place = place_of(number);
+    if place.weight == 0 {
+        return Corner(vec4<f32>(0.0, 0.0, 0.0, 1.0), 0.0);
     }
-    if vertex < first_back {
-        return cap_corner(vertex - first_front, false);
+    let plan = plan_of(place.caster);
+    // Where far ends meet, all are that of one vertex.
+    let p = positions[select(place.vertex, 0u, place.is_far && plan.far_ends_meet)].xyz;
+    if place.is_far {
+        return Corner(clip_far(p, (plan.far >> 29u) - 1u), f32(place.weight));
     }
-    return cap_corner(vertex - first_back, true);
+    return Corner(clip_near(p), f32(place.weight));
 }

@@ -11,7 +11,7 @@ use rayon::prelude::*;
 use std::ops::Range;
 
 /// A box in four dimensions around the planes of a cluster's edges. Twin of `Cluster` in
-/// `shaders/methods/silhouette_cs/ask_clusters.wgsl`.
+/// `shaders/methods/silhouette_cs/ask_clusters.wgsl` and `shaders/methods/silhouette_ms/clusters.glsl`.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 pub struct ClusterBox {
@@ -22,7 +22,7 @@ pub struct ClusterBox {
     unused: [f32; 2],
 }
 
-/// A light as a hyperplane. Twin of `DualLight` in `shaders/methods/silhouette_cs/ask_clusters.wgsl`.
+/// A light as a hyperplane. Twin of `DualLight` in the same shaders.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 pub struct ClusterLight {
@@ -37,7 +37,8 @@ pub struct EdgeClusters {
     origin: Origin,
     /// The clusters.
     pub boxes: Vec<ClusterBox>,
-    /// The edges of all clusters, as many each; in the last one of a group there may be [`Self::NO_EDGE`] instead.
+    /// The edges of all clusters, as many each; in two of a group, the last one with a box and the last one of edges that every
+    /// light asks, there may be [`Self::NO_EDGE`] instead.
     pub edges: Vec<u32>,
     /// The clusters of each group.
     pub of_groups: Vec<Range<u32>>,
@@ -79,17 +80,16 @@ impl EdgeClusters {
             of_groups: Vec::with_capacity(groups.len()),
             origin: order.origin,
         };
-        for (mut edges, mut others) in known.into_iter().zip(others) {
-            all.edges.resize(size * all.boxes.len(), Self::NO_EDGE);
+        for (edges, others) in known.into_iter().zip(others) {
             let first = all.boxes.len();
-            // Those of the last cluster with a box are few, and may be asked for every light.
-            let rest = edges.len() % size;
-            others.splice(0..0, edges.drain(edges.len() - rest..));
             let around = |edges: &[u32]| around(edges, &order.planes);
             all.boxes.par_extend(edges.par_chunks(size).map(around));
             let of_others = others.len().div_ceil(size);
             all.boxes.resize(all.boxes.len() + of_others, ALL_PLANES);
             all.edges.extend(edges);
+            // The last one with a box may be short.
+            all.edges
+                .resize(size * (all.boxes.len() - of_others), Self::NO_EDGE);
             all.edges.extend(others);
             all.edges.resize(size * all.boxes.len(), Self::NO_EDGE);
             all.of_groups.push(first as u32..all.boxes.len() as u32);

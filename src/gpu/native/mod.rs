@@ -1,4 +1,5 @@
-//! Native Vulkan inside wgpu's device: the tessellation and geometry stages that wgpu 30 lacks.
+//! Native Vulkan inside wgpu's device: the tessellation, geometry, task and mesh stages that wgpu 30 lacks or
+//! leaves unfinished.
 //!
 //! wgpu owns the device, the queue, buffers and textures; here the same `VkDevice` gets pipelines of
 //! its own, recorded into command buffers that are submitted between wgpu's. All `unsafe` code of

@@ -123,6 +123,10 @@ fn switch_on(
                 }
                 features.extend(feature.map(|feature| feature()));
             }
+            Source::VulkanExtension12(name, of_extension) => {
+                extensions.push(name);
+                features.push(of_extension());
+            }
             Source::Wgpu(_) | Source::VulkanFormat(..) => {}
         }
     }

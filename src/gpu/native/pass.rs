@@ -157,9 +157,8 @@ impl NativePass<'_> {
         };
     }
 
-    /// The most workgroups of a draw call. Every device takes 65,535; one that runs them in software keeps what all of a draw
-    /// call make, and is half as fast again where that stays in its caches.
-    pub const MOST_WORKGROUPS: u32 = 256;
+    /// The most workgroups of a draw call that every device takes.
+    pub const MOST_WORKGROUPS: u32 = 65_535;
 
     /// One draw call of so many workgroups of the first stage, with a pipeline of [`PrimitiveTopology::Meshes`].
     ///

@@ -40,7 +40,7 @@ pub enum VertexInput {
 
 /// A graphics pipeline.
 pub struct PipelineDesc<'a> {
-    /// Vertex stage first, then the others in pipeline order.
+    /// In pipeline order.
     pub stages: &'a [Spirv],
     /// Where vertices come from.
     pub input: VertexInput,
@@ -74,6 +74,8 @@ impl Pipeline {
         desc: &PipelineDesc<'_>,
     ) -> Result<Self, NativeError> {
         let raw = raw_device(device)?;
+        let meshes = desc.topology == PrimitiveTopology::Meshes;
+        let meshes = meshes.then(|| mesh_calls(device)).transpose()?;
         let mut modules = Vec::with_capacity(desc.stages.len());
         for stage in desc.stages {
             let info = vk::ShaderModuleCreateInfo::default().code(&stage.words);
@@ -87,10 +89,9 @@ impl Pipeline {
             // SAFETY: a pipeline keeps what it needs of its modules, so they may go now.
             unsafe { raw.destroy_shader_module(module, None) };
         }
-        let meshes = desc.topology == PrimitiveTopology::Meshes;
         Ok(Self {
             handle: handle?,
-            meshes: meshes.then(|| mesh_calls(device)).transpose()?,
+            meshes,
             raw,
             device: device.clone(),
         })

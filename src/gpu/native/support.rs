@@ -34,6 +34,12 @@ fn vulkan_has(adapter: &Adapter, source: Source) -> bool {
                 .supports_extension(name)
                 && feature.is_none_or(|feature| has_features(adapter, feature().as_mut()))
         }
+        Source::VulkanExtension12(name, features) => {
+            // SAFETY: as above.
+            let properties = unsafe { instance.get_physical_device_properties(physical) };
+            properties.api_version >= vk::API_VERSION_1_2
+                && vulkan_has(adapter, Source::VulkanExtension(name, Some(features)))
+        }
         Source::VulkanFormat(format, uses) => {
             // SAFETY: as above.
             let properties =

@@ -100,8 +100,7 @@ impl Kernels<'_> {
         let clusters = EdgeClusters::build(mesh, topology, groups, EDGES_A_CLUSTER, is_irregular);
         let edges = clusters.edges.iter();
         let edges: Vec<_> = edges
-            .filter(|edge| **edge != EdgeClusters::NO_EDGE)
-            .map(|edge| [*edge, blocks.bits[*edge as usize]])
+            .map(|edge| [*edge, blocks.bits.get(*edge as usize).copied().unwrap_or(0)])
             .collect();
         let boxes = self.boxes(&clusters)?;
         let cluster_edges = bytemuck::cast_slice(&edges);

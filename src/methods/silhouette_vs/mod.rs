@@ -1,5 +1,5 @@
-//! Silhouette shadow volumes without any extraction: a vertex shader asks each edge at every corner of its side quad. It runs
-//! wherever there is a stencil buffer.
+//! Silhouette shadow volumes without any extraction: a vertex shader asks each edge at every corner of its side quads. It runs
+//! wherever there is a stencil buffer and vertex shaders may read [`BUFFERS`] storage buffers.
 
 mod quads;
 
@@ -29,6 +29,9 @@ pub(super) static INFO: MethodInfo = MethodInfo {
     tolerated_share: 0.0,
 };
 
+/// Storage buffers that its shader reads.
+const BUFFERS: u32 = 7;
+
 parameters! {
     /// The method's parameters.
     pub(super) struct SilhouetteVs {
@@ -55,14 +58,21 @@ impl ShadowMethod for SilhouetteVs {
         let casting = volume.planned_casting(self.casting, Self::default().casting)?;
         let context = &volume.casters(context)?;
         let casters = &context.casters;
-        let closed = casters
-            .edge_triangles()
-            .closed_casters(&casters.mesh, casters.topology());
         let capping = Capping {
             front_cap: volume.front_cap,
             caps: Caps::Triangles,
-            closed,
+            closed: casters.are_closed().to_vec(),
         };
+        let most = context
+            .gpu
+            .device
+            .limits()
+            .max_storage_buffers_per_shader_stage;
+        if most < BUFFERS {
+            let message =
+                format!("a shader may read {most} storage buffers here, and it reads {BUFFERS}");
+            return Err(MethodError::Unavailable(message));
+        }
         let quads = Quads::new(casters, volume.counter)?;
         let bytes = (4 * casters.mesh.caster_object_count()).max(4) as u64;
         let usage = Usage::STORAGE | Usage::COPY_DST;
@@ -108,7 +118,7 @@ fn volumes(
     ];
     let read_only = buffer_binding(wgpu::BufferBindingType::Storage { read_only: true });
     let stages = wgpu::ShaderStages::VERTEX;
-    let layout = bind_group_layout(&gpu.device, "faces", stages, &[read_only; 7]);
+    let layout = bind_group_layout(&gpu.device, "faces", stages, &[read_only; BUFFERS as usize]);
     let bound = buffers.each_ref().map(wgpu::Buffer::as_entire_binding);
     let takes_weights = parameters.counter.takes_weights();
     let stage = CornerStage {
