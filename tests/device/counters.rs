@@ -60,15 +60,15 @@ fn counts_may_go_beyond_eight_bits() {
         // Each meets one, and half of them meet each.
         let counter = COUNTERS[number % COUNTERS.len()];
         for (cause, counts) in [
-            ("stacked_sheets", [256.0, 512.0, 600.0]),
-            ("nested_shells", [128.0, 256.0, 300.0]),
+            ("stacked_sheets", [256.0, 600.0]),
+            ("nested_shells", [256.0, 300.0]),
         ] {
             for count in counts {
                 let wrong = artifacts(&judge, &format!("{method},{counter}"), cause, count);
                 assert!(wrong <= 5, "{method},{counter}: {wrong} at {cause} {count}");
             }
-            let wraps = artifacts(&judge, method, cause, counts[1]);
-            assert!(wraps > 100, "{method}: {wraps} at {cause} {}", counts[1]);
+            let wraps = artifacts(&judge, method, cause, counts[0]);
+            assert!(wraps > 100, "{method}: {wraps} at {cause} {}", counts[0]);
         }
     }
 }
