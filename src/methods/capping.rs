@@ -1,8 +1,9 @@
 //! How the caps of each caster's volume are drawn in a frame.
 
-use super::plan::CasterPlan;
+use super::plan::{CasterPlan, FramePlan, Planner};
 use super::volume_parameters::FrontCap;
-use crate::frame::FrameView;
+use super::volumes::CHOOSE_STAGE;
+use crate::frame::{Frame, FrameView};
 use crate::geometry::{Bounds, DisjointSets, EndPlane, Topology};
 use crate::scene::Mesh;
 use serde::{Deserialize, Serialize};
@@ -42,14 +43,29 @@ pub(super) struct Capping {
     pub(super) closed: Vec<bool>,
 }
 
+/// Plans volumes and their caps.
+pub(super) struct CappedPlanner {
+    pub(super) planner: Planner,
+    pub(super) capping: Capping,
+}
+
+impl CappedPlanner {
+    /// Records the stage that plans a frame.
+    pub(super) fn choose(&self, frame: &mut Frame<'_>) -> (FramePlan, Vec<CappedPlan>) {
+        let (view, casters) = (*frame.view(), &frame.resources().extents.casters);
+        frame.stage(CHOOSE_STAGE, |stage| {
+            stage.on_processor(|| {
+                let plan = self.planner.plan(&view, casters);
+                let plans = self.capping.plans(&plan.casters, &view, casters);
+                (plan, plans)
+            })
+        })
+    }
+}
+
 impl Capping {
     /// Adds the caps to the plans of all casters, given the boxes around these.
-    pub(super) fn plans(
-        &self,
-        plans: &[CasterPlan],
-        view: &FrameView,
-        casters: &[Bounds],
-    ) -> Vec<CappedPlan> {
+    fn plans(&self, plans: &[CasterPlan], view: &FrameView, casters: &[Bounds]) -> Vec<CappedPlan> {
         let capped = |((plan, bounds), closed): ((&CasterPlan, &Bounds), &bool)| {
             self.plan(*plan, *closed, view, *bounds)
         };

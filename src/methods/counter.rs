@@ -1,7 +1,7 @@
 //! Where volumes are counted.
 
 use super::{MethodError, PrepareContext};
-use crate::frame::{BlendedCounts, DepthSetup, Frame, StencilResolve};
+use crate::frame::{BlendedCounts, DepthSetup, Frame, RESOLVE_STAGE, StencilResolve};
 use crate::gpu::{Capability, Stage};
 use serde::{Deserialize, Serialize};
 
@@ -24,6 +24,12 @@ impl Counter {
         self != Self::Stencil8
     }
 }
+
+/// Name of the stage that goes on to count what does not face the light, by open edges.
+pub(super) const OPEN_EDGES_STAGE: &str = "open_edges";
+
+/// Name of the stage that adds to the mask what that has counted.
+pub(super) const RESOLVE_REST_STAGE: &str = "resolve_rest";
 
 /// Counts of a frame, and how they come to the mask.
 pub(super) enum Counts {
@@ -83,8 +89,23 @@ impl Counts {
         }
     }
 
-    /// Records a stage that adds to the mask what has a count, where counting began with `begun_with` instead of 0.
-    pub(super) fn resolve(
+    /// Records the stages that add to the mask what has a count, where counting began with the first of `near_counts` instead of
+    /// 0; and with a second one what has a count after `open_edges` are counted as well, as if counting had begun with that.
+    pub(super) fn resolve<'f>(
+        &self,
+        frame: &mut Frame<'f>,
+        near_counts: (i32, Option<i32>),
+        open_edges: impl FnOnce(&mut Stage<'_, 'f>),
+    ) -> anyhow::Result<()> {
+        self.add_to_mask(frame, RESOLVE_STAGE, near_counts.0)?;
+        if let Some(near_count) = near_counts.1 {
+            frame.stage(OPEN_EDGES_STAGE, open_edges);
+            self.add_to_mask(frame, RESOLVE_REST_STAGE, near_count)?;
+        }
+        Ok(())
+    }
+
+    fn add_to_mask(
         &self,
         frame: &mut Frame<'_>,
         stage: &'static str,

@@ -9,7 +9,7 @@ use super::faces::{Draws, Elements, Faces, open_edges};
 use super::plan::{CasterPlan, FramePlan, Planner};
 use super::volume_parameters::{Counting, StageVolumeParameters, VolumeParameters};
 use super::{MethodError, PrepareContext};
-use crate::frame::{DrawnVolumes, Frame, PreparedMethod, RESOLVE_STAGE};
+use crate::frame::{DrawnVolumes, Frame, PreparedMethod};
 use crate::geometry::Casting;
 use crate::gpu::native::{
     BindingKind, Bindings, IndexedGeometry, NativePass, Pipeline, PipelineDesc, Raster, Target,
@@ -22,12 +22,6 @@ pub(super) const VOLUMES_STAGE: &str = "volumes";
 
 /// Name of the stage that chooses, on the processor, how each object is counted.
 pub(super) const CHOOSE_STAGE: &str = "choose";
-
-/// Name of the stage that goes on to count what does not face the light, by open edges.
-pub(super) const OPEN_EDGES_STAGE: &str = "open_edges";
-
-/// Name of the stage that adds to the mask what that has counted.
-pub(super) const RESOLVE_REST_STAGE: &str = "resolve_rest";
 
 /// What every volume method needs of the device.
 pub(super) const STENCIL: Capability = Capability::StencilBuffer;
@@ -258,16 +252,15 @@ impl PreparedMethod for StencilVolumes {
                 self.draw(pass, &plan);
             });
         });
-        self.counts.resolve(frame, RESOLVE_STAGE, plan.near_count)?;
-        if let (Some(open_edges), Some(near_count)) = (&self.open_edges, plan.near_count_of_rest) {
-            frame.stage(OPEN_EDGES_STAGE, |stage| {
-                stage.native(&self.target, &self.bindings, |pass| {
-                    let takes = |plan: &CasterPlan| plan.casting == Casting::EachSide;
+        let near_counts = (plan.near_count, plan.near_count_of_rest);
+        self.counts.resolve(frame, near_counts, |stage| {
+            stage.native(&self.target, &self.bindings, |pass| {
+                let takes = |plan: &CasterPlan| plan.casting == Casting::EachSide;
+                if let Some(open_edges) = &self.open_edges {
                     open_edges.draw(pass, &plan.casters, takes);
-                });
+                }
             });
-            self.counts.resolve(frame, RESOLVE_REST_STAGE, near_count)?;
-        }
+        })?;
         self.plan = plan;
         Ok(())
     }

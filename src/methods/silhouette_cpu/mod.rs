@@ -5,14 +5,14 @@ mod edges;
 mod extraction;
 mod faces;
 
-use super::capping::{CappedPlan, Capping, Caps, fan_apexes};
+use super::capping::{CappedPlan, CappedPlanner, Capping, Caps, fan_apexes};
 use super::corner::Weights;
 use super::plan::Planner;
 use super::portable_volumes::{Corners, EXTRACT_STAGE, FaceDraws, PortableVolumes};
 use super::volume_parameters::{CASTING_WORDS, VolumeParameters};
-use super::volumes::{CHOOSE_STAGE, OPEN_EDGES_STAGE, RESOLVE_REST_STAGE, STENCIL, VOLUMES_STAGE};
+use super::volumes::{STENCIL, VOLUMES_STAGE};
 use super::{MethodError, MethodInfo, PrepareContext, ShadowMethod, clash, volume_limits};
-use crate::frame::{DepthSetup, DrawnVolumes, Frame, PreparedMethod, RESOLVE_STAGE};
+use crate::frame::{DepthSetup, DrawnVolumes, Frame, PreparedMethod};
 use crate::geometry::silhouette::{Facings, HEXTREE_DEPTH, SilhouetteEdge};
 use crate::geometry::{Casting, Determinism, OpenEdges, Topology};
 use crate::gpu::{Gpu, Stage};
@@ -98,9 +98,11 @@ impl ShadowMethod for SilhouetteCpu {
             mesh,
             topology,
             edges,
-            planner: Planner::new(context, volume, casting, Determinism::default()),
+            planner: CappedPlanner {
+                planner: Planner::new(context, volume, casting, Determinism::default()),
+                capping,
+            },
             open_edges: Rc::clone(casters.open_edges()),
-            capping,
             apexes,
         }))
     }
@@ -121,8 +123,7 @@ struct CpuVolumes {
     /// That of the last light.
     silhouette: Vec<SilhouetteEdge>,
     keep: bool,
-    planner: Planner,
-    capping: Capping,
+    planner: CappedPlanner,
     /// See [`fan_apexes`].
     apexes: Vec<u32>,
     facings: Facings,
@@ -149,16 +150,8 @@ impl PreparedMethod for CpuVolumes {
     }
 
     fn record(&mut self, frame: &mut Frame<'_>) -> anyhow::Result<()> {
-        let (view, resources, gpu) = (*frame.view(), frame.resources(), frame.gpu());
-        let casters = &resources.extents.casters;
-        let (plan, plans) = frame.stage(CHOOSE_STAGE, |stage| {
-            stage.on_processor(|| {
-                let plan = self.planner.plan(&view, casters);
-                let plans = self.capping.plans(&plan.casters, &view, casters);
-                (plan, plans)
-            })
-        });
-        let light = view.light.place;
+        let (light, resources, gpu) = (frame.view().light.place, frame.resources(), frame.gpu());
+        let (plan, plans) = self.planner.choose(frame);
         let kept = self
             .kept
             .take()
@@ -185,18 +178,11 @@ impl PreparedMethod for CpuVolumes {
             self.volumes
                 .record(stage, resources, Some(&self.elements), &corners);
         });
-        self.volumes
-            .counts
-            .resolve(frame, RESOLVE_STAGE, plan.near_count)?;
-        if let Some(near_count) = plan.near_count_of_rest {
-            frame.stage(OPEN_EDGES_STAGE, |stage| {
-                self.volumes
-                    .record_open_edges(stage, resources, Some(&self.elements), &corners);
-            });
+        let near_counts = (plan.near_count, plan.near_count_of_rest);
+        self.volumes.counts.resolve(frame, near_counts, |stage| {
             self.volumes
-                .counts
-                .resolve(frame, RESOLVE_REST_STAGE, near_count)?;
-        }
+                .record_open_edges(stage, resources, Some(&self.elements), &corners);
+        })?;
         self.kept = Some(Kept {
             light,
             plans,
@@ -287,7 +273,8 @@ impl CpuVolumes {
                 let triangles = caster.triangle_range();
                 let of_caster = self.mesh.triangles[triangles.clone()].iter();
                 for (triangle, facing) in of_caster.zip(&self.of_triangles[triangles]) {
-                    self.faces.caps(&self.capping, *plan, *triangle, *facing);
+                    self.faces
+                        .caps(&self.planner.capping, *plan, *triangle, *facing);
                 }
             }
         }

@@ -7,14 +7,14 @@ mod kernel;
 mod kernels;
 mod tables;
 
-use super::capping::{Capping, Caps};
+use super::capping::{CappedPlanner, Capping, Caps};
 use super::corner::Weights;
 use super::plan::Planner;
 use super::portable_volumes::{EXTRACT_STAGE, PortableVolumes};
 use super::volume_parameters::{CASTING_WORDS, VolumeParameters};
-use super::volumes::{CHOOSE_STAGE, OPEN_EDGES_STAGE, RESOLVE_REST_STAGE, STENCIL, VOLUMES_STAGE};
+use super::volumes::{STENCIL, VOLUMES_STAGE};
 use super::{MethodError, MethodInfo, PrepareContext, ShadowMethod, clash, volume_limits};
-use crate::frame::{DepthSetup, DrawnVolumes, Frame, PreparedMethod, RESOLVE_STAGE};
+use crate::frame::{DepthSetup, DrawnVolumes, Frame, PreparedMethod};
 use crate::geometry::{Casting, Determinism};
 use crate::parameters;
 use extraction::Extractor;
@@ -98,8 +98,10 @@ impl ShadowMethod for SilhouetteCs {
         Ok(Box::new(CsVolumes {
             extractor: Extractor::new(context, self, (&capping, weights))?,
             volumes: PortableVolumes::of_corners(context, &volume, weights)?,
-            planner: Planner::new(context, volume, casting, Determinism::default()),
-            capping,
+            planner: CappedPlanner {
+                planner: Planner::new(context, volume, casting, Determinism::default()),
+                capping,
+            },
             drawn: DrawnVolumes::default(),
         }))
     }
@@ -109,24 +111,15 @@ impl ShadowMethod for SilhouetteCs {
 struct CsVolumes {
     extractor: Extractor,
     volumes: PortableVolumes,
-    planner: Planner,
-    capping: Capping,
+    planner: CappedPlanner,
     /// Of the last frame.
     drawn: DrawnVolumes,
 }
 
 impl PreparedMethod for CsVolumes {
     fn record(&mut self, frame: &mut Frame<'_>) -> anyhow::Result<()> {
-        let (view, resources) = (*frame.view(), frame.resources());
-        let casters = &resources.extents.casters;
-        let (plan, plans) = frame.stage(CHOOSE_STAGE, |stage| {
-            stage.on_processor(|| {
-                let plan = self.planner.plan(&view, casters);
-                let plans = self.capping.plans(&plan.casters, &view, casters);
-                (plan, plans)
-            })
-        });
-        let light = view.light.place;
+        let (light, resources) = (frame.view().light.place, frame.resources());
+        let (plan, plans) = self.planner.choose(frame);
         frame.stage(EXTRACT_STAGE, |stage| {
             self.extractor.extract(stage, &plans, light)
         })?;
@@ -142,21 +135,17 @@ impl PreparedMethod for CsVolumes {
                 volumes.record(stage, resources, elements, &corners);
             }
         });
-        let counts = &volumes.counts;
-        counts.resolve(frame, RESOLVE_STAGE, plan.near_count)?;
-        if let Some(near_count) = plan.near_count_of_rest {
-            frame.stage(OPEN_EDGES_STAGE, |stage| {
-                for round in 0..extractor.rounds() {
-                    // What was made in a single round is still there.
-                    if extractor.rounds() > 1 {
-                        extractor.emit(stage, &plans, round);
-                    }
-                    let corners = extractor.corners(&plans, round);
-                    volumes.record_open_edges(stage, resources, elements, &corners);
+        let near_counts = (plan.near_count, plan.near_count_of_rest);
+        volumes.counts.resolve(frame, near_counts, |stage| {
+            for round in 0..extractor.rounds() {
+                // What was made in a single round is still there.
+                if extractor.rounds() > 1 {
+                    extractor.emit(stage, &plans, round);
                 }
-            });
-            counts.resolve(frame, RESOLVE_REST_STAGE, near_count)?;
-        }
+                let corners = extractor.corners(&plans, round);
+                volumes.record_open_edges(stage, resources, elements, &corners);
+            }
+        })?;
         self.drawn = plan.drawn();
         Ok(())
     }

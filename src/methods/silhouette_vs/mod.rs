@@ -3,16 +3,16 @@
 
 mod quads;
 
-use super::capping::{CappedPlan, Capping, Caps};
+use super::capping::{CappedPlan, CappedPlanner, Capping, Caps};
 use super::device_edges::{self, SidesBy};
 use super::plan::Planner;
 use super::plan_words;
 use super::portable_volumes::{CornerStage, Corners, FaceDraws, PortableVolumes};
 use super::volume_parameters::{CASTING_WORDS, FrontCap, VolumeParameters};
-use super::volumes::{CHOOSE_STAGE, OPEN_EDGES_STAGE, RESOLVE_REST_STAGE, STENCIL, VOLUMES_STAGE};
+use super::volumes::{STENCIL, VOLUMES_STAGE};
 use super::{MethodError, MethodInfo, PrepareContext, ShadowMethod, clash, volume_limits};
 use crate::frame::fullscreen::{bind_group, bind_group_layout, buffer_binding};
-use crate::frame::{DepthSetup, DrawnVolumes, Frame, PreparedMethod, RESOLVE_STAGE};
+use crate::frame::{DepthSetup, DrawnVolumes, Frame, PreparedMethod};
 use crate::geometry::{Casting, Determinism};
 use crate::parameters;
 use quads::Quads;
@@ -79,8 +79,10 @@ impl ShadowMethod for SilhouetteVs {
         let plans = context.gpu.empty_buffer("plans of casters", bytes, usage)?;
         Ok(Box::new(VsVolumes {
             volumes: volumes(context, &volume, &quads, &plans)?,
-            planner: Planner::new(context, volume, casting, Determinism::default()),
-            capping,
+            planner: CappedPlanner {
+                planner: Planner::new(context, volume, casting, Determinism::default()),
+                capping,
+            },
             plans,
             quads,
             drawn: DrawnVolumes::default(),
@@ -138,8 +140,7 @@ fn volumes(
 
 /// The method ready for a scene.
 struct VsVolumes {
-    planner: Planner,
-    capping: Capping,
+    planner: CappedPlanner,
     quads: Quads,
     volumes: PortableVolumes,
     plans: wgpu::Buffer,
@@ -149,32 +150,21 @@ struct VsVolumes {
 
 impl PreparedMethod for VsVolumes {
     fn record(&mut self, frame: &mut Frame<'_>) -> anyhow::Result<()> {
-        let (view, resources) = (*frame.view(), frame.resources());
-        let casters = &resources.extents.casters;
-        let (plan, plans) = frame.stage(CHOOSE_STAGE, |stage| {
-            stage.on_processor(|| {
-                let plan = self.planner.plan(&view, casters);
-                let plans = self.capping.plans(&plan.casters, &view, casters);
-                (plan, plans)
-            })
-        });
+        let resources = frame.resources();
+        let (plan, plans) = self.planner.choose(frame);
         let Self { quads, volumes, .. } = self;
         let corners = frame.stage(VOLUMES_STAGE, |stage| -> anyhow::Result<Corners> {
             let words: Vec<_> = plans.iter().copied().map(plan_words::word).collect();
             stage.upload(&self.plans, 0, bytemuck::cast_slice(&words))?;
-            let corners = corners(quads, &self.capping, &plans);
+            let corners = corners(quads, &self.planner.capping, &plans);
             volumes.counts.begin(stage);
             volumes.record(stage, resources, None, &corners);
             Ok(corners)
         })?;
-        let counts = &volumes.counts;
-        counts.resolve(frame, RESOLVE_STAGE, plan.near_count)?;
-        if let Some(near_count) = plan.near_count_of_rest {
-            frame.stage(OPEN_EDGES_STAGE, |stage| {
-                volumes.record_open_edges(stage, resources, None, &corners);
-            });
-            counts.resolve(frame, RESOLVE_REST_STAGE, near_count)?;
-        }
+        let near_counts = (plan.near_count, plan.near_count_of_rest);
+        volumes.counts.resolve(frame, near_counts, |stage| {
+            volumes.record_open_edges(stage, resources, None, &corners);
+        })?;
         self.drawn = plan.drawn();
         Ok(())
     }
