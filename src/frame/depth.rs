@@ -25,6 +25,8 @@ pub struct DepthSetup {
     pub format: DepthFormat,
     /// Distance of the near plane; by default the camera's.
     pub near: Option<f32>,
+    /// Whether native fragment shaders read and write the stencil.
+    pub stencil_in_shaders: bool,
 }
 
 impl DepthSetup {
@@ -34,9 +36,14 @@ impl DepthSetup {
     /// The reason why not, as a sentence for people.
     pub fn check(&self, gpu: &Gpu) -> Result<(), String> {
         match self.format {
-            DepthFormat::Float32 => Ok(()),
-            DepthFormat::Unorm24 => gpu.check(Capability::Depth24),
+            DepthFormat::Float32 => {}
+            DepthFormat::Unorm24 => gpu.check(Capability::Depth24)?,
         }
+        if self.stencil_in_shaders {
+            gpu.check(Capability::StencilExport)?;
+            gpu.check(Capability::StencilInput)?;
+        }
+        Ok(())
     }
 
     pub(super) fn texture_format(&self, gpu: &Gpu) -> wgpu::TextureFormat {

@@ -35,14 +35,37 @@ impl StencilResolve {
         }
     }
 
+    /// Sets all counts to 0.
+    pub fn clear(&self, encoder: &mut wgpu::CommandEncoder, targets: &Targets) {
+        encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some("no counts"),
+            depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
+                view: &targets.depth_view,
+                depth_ops: None,
+                stencil_ops: Some(wgpu::Operations {
+                    load: wgpu::LoadOp::Clear(0),
+                    store: wgpu::StoreOp::Store,
+                }),
+            }),
+            ..Default::default()
+        });
+    }
+
     /// Records a stage, mostly [`RESOLVE_STAGE`]: adds to the mask the pixels with a count, where counting began with
-    /// `begun_with` instead of 0.
-    pub fn record(&self, frame: &mut Frame<'_>, stage: &'static str, begun_with: i32) {
+    /// `begun_with` instead of 0 and `modulus` is 0 again: the stencil's own is 256.
+    pub fn record(
+        &self,
+        frame: &mut Frame<'_>,
+        stage: &'static str,
+        begun_with: i32,
+        modulus: u32,
+    ) {
         let targets = frame.targets();
         frame.stage(stage, |stage| {
             let mut pass = add_to_mask(stage.encoder(), targets, &self.pipeline, self.far);
             // Counts wrap around, so they need not really begin there.
-            pass.set_stencil_reference(begun_with.wrapping_neg() as u32 & 0xff);
+            let left = -i64::from(begun_with);
+            pass.set_stencil_reference(left.rem_euclid(modulus.into()) as u32);
             pass.draw(0..3, 0..1);
             drop(pass);
             stage.count_draws(1);

@@ -44,25 +44,28 @@ impl Targets {
     /// # Errors
     /// When the device cannot hold them.
     pub fn new(gpu: &Gpu, width: u32, height: u32, depth: DepthSetup) -> Result<Self, DeviceError> {
-        let texture = |label, format, usage| {
-            gpu.texture(&wgpu::TextureDescriptor {
-                label: Some(label),
-                size: wgpu::Extent3d {
-                    width,
-                    height,
-                    depth_or_array_layers: 1,
-                },
-                mip_level_count: 1,
-                sample_count: 1,
-                dimension: wgpu::TextureDimension::D2,
-                format,
-                usage: wgpu::TextureUsages::RENDER_ATTACHMENT | usage,
-                view_formats: &[],
-            })
+        let desc = |label, format, usage| wgpu::TextureDescriptor {
+            label: Some(label),
+            size: wgpu::Extent3d {
+                width,
+                height,
+                depth_or_array_layers: 1,
+            },
+            mip_level_count: 1,
+            sample_count: 1,
+            dimension: wgpu::TextureDimension::D2,
+            format,
+            usage: wgpu::TextureUsages::RENDER_ATTACHMENT | usage,
+            view_formats: &[],
         };
+        let texture = |label, format, usage| gpu.texture(&desc(label, format, usage));
         let read = wgpu::TextureUsages::COPY_SRC;
         let sample = wgpu::TextureUsages::TEXTURE_BINDING;
-        let depth = texture("a depth buffer", depth.texture_format(gpu), read | sample)?;
+        let of_depth = desc("a depth buffer", depth.texture_format(gpu), read | sample);
+        let depth = match depth.stencil_in_shaders {
+            true => gpu.depth_stencil_input(&of_depth)?,
+            false => gpu.texture(&of_depth)?,
+        };
         let triangle_ids = texture(
             "a picture of triangle numbers",
             TRIANGLE_ID_FORMAT,

@@ -136,6 +136,13 @@ capabilities! {
                 vec![&mut of.task_shader, &mut of.mesh_shader]
             })
         });
+    /// Stencil values that fragment shaders read, those of a pixel one after the other.
+    StencilInput: "stencil_input", "stencil values read in order by fragment shaders (Vulkan)",
+        VulkanExtension(ash::ext::rasterization_order_attachment_access::NAME, Some(|| {
+            features(|of: &mut vk::PhysicalDeviceRasterizationOrderAttachmentAccessFeaturesEXT<'_>| {
+                vec![&mut of.rasterization_order_stencil_attachment_access]
+            })
+        }));
 }
 
 impl Serialize for Capability {

@@ -97,6 +97,24 @@ impl Gpu {
         &self,
         desc: &wgpu::TextureDescriptor<'_>,
     ) -> Result<wgpu::Texture, DeviceError> {
+        self.check_texture(desc)?;
+        self.attempt(|| Ok(self.device.create_texture(desc)))
+    }
+
+    /// A depth-stencil texture that fragment shaders of native passes can read while it is drawn into.
+    ///
+    /// # Errors
+    /// When the device cannot hold it.
+    pub fn depth_stencil_input(
+        &self,
+        desc: &wgpu::TextureDescriptor<'_>,
+    ) -> Result<wgpu::Texture, DeviceError> {
+        self.check_texture(desc)?;
+        self.attempt(|| Ok(native::depth_stencil_input(&self.device, desc)?))
+    }
+
+    /// Whether a texture is not too large, and there is memory for it.
+    fn check_texture(&self, desc: &wgpu::TextureDescriptor<'_>) -> Result<(), DeviceError> {
         let limits = self.device.limits();
         let (side, layers) = (
             limits.max_texture_dimension_2d,
@@ -124,8 +142,7 @@ impl Gpu {
                 "{name} takes {bytes}, and this device gives {most} at once"
             )));
         }
-        self.check_memory(&name, bytes)?;
-        self.attempt(|| Ok(self.device.create_texture(desc)))
+        self.check_memory(&name, bytes)
     }
 
     /// Whether there is memory for `bytes` more, beside what was made already.

@@ -53,7 +53,7 @@ impl Stage<'_, '_> {
             state,
         };
         let depth = as_left(&target.depth, wgpu::TextureUses::DEPTH_STENCIL_WRITE);
-        let counts = target.counts.as_ref();
+        let counts = target.counts.texture();
         let counts = counts.map(|counts| as_left(counts, wgpu::TextureUses::COLOR_TARGET));
         let textures = std::iter::once(depth).chain(counts);
         frame

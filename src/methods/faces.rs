@@ -1,7 +1,8 @@
 //! The faces of shadow volumes, and how native shader stages make them.
 
+use super::counter::Counter;
 use super::side_quad::DirectedEdge;
-use super::volume_parameters::{StageVolumeParameters, VolumeParameters};
+use super::volume_parameters::StageVolumeParameters;
 use super::{MethodError, PrepareContext};
 use crate::frame::{Frame, SceneBuffers};
 use crate::geometry::silhouette::SilhouetteEdge;
@@ -58,13 +59,16 @@ pub(super) enum Fragments {
 
 impl Fragments {
     /// The fragment stage, if there must be one.
-    pub(super) fn stage(self, parameters: &VolumeParameters, raster: Raster) -> Option<Spirv> {
+    pub(super) fn stage(self, parameters: &StageVolumeParameters, raster: Raster) -> Option<Spirv> {
         let counts = parameters.counter.takes_weights();
         let mut defines = Vec::new();
         if counts {
             // What a face adds that is seen from outside of its volume; from inside it takes it away.
             let adds = raster == Raster::CountDepthPasses;
             defines.push(("OUTSIDE_ADDS", u32::from(adds)));
+        }
+        if parameters.counter == Counter::StencilExport {
+            defines.push(("IN_STENCIL", 1));
         }
         if self == Self::CountWeights {
             defines.push(("WEIGHTED", 1));

@@ -1,8 +1,8 @@
 //! Shadow volumes whose faces a vertex shader makes of numbers, counted by wgpu's own passes: no native stage.
 
 use super::corner::Weights;
-use super::counter::Counts;
-use super::volume_parameters::VolumeParameters;
+use super::counter::{Counter, Counts};
+use super::volume_parameters::{PortableVolumeParameters, VolumeParameters};
 use super::{MethodError, PrepareContext};
 use crate::frame::FrameResources;
 use crate::gpu::{DepthDirection, Stage, shader};
@@ -116,11 +116,11 @@ impl PortableVolumes {
     /// For faces that are lists of corners, by their [numbers](super::corner).
     pub(super) fn of_corners(
         context: &PrepareContext<'_>,
-        parameters: &VolumeParameters,
+        parameters: &PortableVolumeParameters,
         weights: Weights,
     ) -> Result<Self, MethodError> {
         let scene = &context.resources.scene;
-        let takes_weights = parameters.counter.takes_weights();
+        let takes_weights = Counter::from(parameters.counter).takes_weights();
         let vertex_bits = [("vertex_bits", f64::from(weights.vertex_bits))];
         let stage = CornerStage {
             path: "methods/volumes/corner.wgsl",
@@ -138,7 +138,7 @@ impl PortableVolumes {
 
     pub(super) fn new(
         context: &PrepareContext<'_>,
-        parameters: &VolumeParameters,
+        parameters: &PortableVolumeParameters,
         stage: &CornerStage<'_>,
     ) -> Result<Self, MethodError> {
         let PrepareContext { gpu, resources, .. } = context;
@@ -152,7 +152,7 @@ impl PortableVolumes {
                 ..Default::default()
             }),
         };
-        let counts = Counts::new(context, parameters.counter, parameters.depth_setup())?;
+        let counts = Counts::new(context, parameters.counter.into(), parameters.depth_setup())?;
         let target = counts.target();
         let depth_format = resources.targets.depth.format();
         let pipeline = |count| {

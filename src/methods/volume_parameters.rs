@@ -1,6 +1,6 @@
 //! The parameters that all volume methods have.
 
-use super::counter::Counter;
+use super::counter::{Counter, PortableCounter};
 use super::{MethodError, PrepareContext};
 use crate::frame::{DepthFormat, DepthSetup};
 use crate::geometry::{Casting, Determinism};
@@ -121,8 +121,6 @@ parameters! {
             "whose volumes are not drawn: none, frustum (of objects that cannot shadow anything in view)";
         pub occluded: Occluded = Occluded::Cast,
             "triangles that are proven to be behind others, seen from a light that stands still: cast, left_out";
-        pub counter: Counter = Counter::Stencil8,
-            "where volumes are counted: stencil8 (0 again at 256), blend16, blend32 (floats, by blending)";
         pub front_cap: FrontCap = FrontCap::Far,
             "where the front caps of z_fail are: far (on the far plane, counted everywhere), in_place";
         pub push_back_px: f64 = PUSH_BACK_PX, in -1.0..=1.0,
@@ -149,7 +147,39 @@ parameters! {
             "how the edges of a triangle agree on its facing";
         pub casting: Casting = Casting::All,
             CASTING_WORDS;
+        pub counter: Counter = Counter::Stencil8,
+            "where volumes are counted: stencil8 (0 again at 256), stencil_export (the same by fragment shaders, twice: 0 \
+             again at 65,280), blend16, blend32 (floats, by blending)";
         ..volume: VolumeParameters;
+    }
+}
+
+parameters! {
+    /// The parameters of volume methods that wgpu's pipelines draw: these can write no stencil values.
+    #[derive(Copy)]
+    pub(super) struct PortableVolumeParameters {
+        pub counter: PortableCounter = PortableCounter::Stencil8,
+            "where volumes are counted: stencil8 (0 again at 256), blend16, blend32 (floats, by blending)";
+        ..volume: VolumeParameters;
+    }
+}
+
+impl PortableVolumeParameters {
+    /// As [`VolumeParameters::planned`].
+    ///
+    /// # Errors
+    /// As there.
+    pub(super) fn planned(mut self, light: &LightPath) -> Result<Self, MethodError> {
+        self.volume = self.volume.planned(light)?;
+        Ok(self)
+    }
+}
+
+impl Deref for PortableVolumeParameters {
+    type Target = VolumeParameters;
+
+    fn deref(&self) -> &VolumeParameters {
+        &self.volume
     }
 }
 
@@ -174,6 +204,14 @@ impl Deref for StageVolumeParameters {
 }
 
 impl StageVolumeParameters {
+    /// The depth buffer that the frame is to be drawn with.
+    pub(super) fn depth_setup(&self) -> DepthSetup {
+        DepthSetup {
+            stencil_in_shaders: self.counter == Counter::StencilExport,
+            ..self.volume.depth_setup()
+        }
+    }
+
     /// The definitions that shaders take them by, and `more`.
     pub(super) fn defines<'a>(&self, more: &[(&'a str, u32)]) -> Vec<(&'a str, u32)> {
         let mut defines = vec![("DETERMINISM", self.determinism as u32)];
@@ -252,6 +290,7 @@ impl VolumeParameters {
             direction: self.depth,
             format: self.depth_format,
             near: self.near.map(|near| near as f32),
+            stencil_in_shaders: false,
         }
     }
 

@@ -7,7 +7,7 @@
 use super::counter::Counts;
 use super::faces::{Draws, Elements, Faces, open_edges};
 use super::plan::{CasterPlan, FramePlan, Planner};
-use super::volume_parameters::{Counting, StageVolumeParameters, VolumeParameters};
+use super::volume_parameters::{Counting, StageVolumeParameters};
 use super::{MethodError, PrepareContext};
 use crate::frame::{DrawnVolumes, Frame, PreparedMethod};
 use crate::geometry::Casting;
@@ -16,9 +16,6 @@ use crate::gpu::native::{
 };
 use crate::gpu::{Capability, Gpu};
 use std::ops::Range;
-
-/// Name of the stage that draws the volumes into the stencil buffer.
-pub(super) const VOLUMES_STAGE: &str = "volumes";
 
 /// Name of the stage that chooses, on the processor, how each object is counted.
 pub(super) const CHOOSE_STAGE: &str = "choose";
@@ -71,7 +68,7 @@ impl StencilVolumes {
         let counting = parameters.counting;
         let counts = Counts::new(context, parameters.counter, parameters.depth_setup())?;
         let depth = &resources.targets.depth;
-        let target = Target::new(device, depth, counts.texture(), parameters.depth)?;
+        let target = Target::new(device, depth, counts.count_in(), parameters.depth)?;
         let indices = context.indices()?;
         let mut bound = vec![
             (BindingKind::Uniform, &resources.uniform.buffer),
@@ -79,7 +76,7 @@ impl StencilVolumes {
             (BindingKind::Storage, &indices),
         ];
         bound.extend(buffers.iter().map(|buffer| (BindingKind::Storage, buffer)));
-        let bindings = Bindings::new(device, &bound)?;
+        let bindings = Bindings::new(device, &target, &bound)?;
         let prepare =
             |faces: Faces| PreparedFaces::new(context, (&target, &bindings), parameters, faces);
         Ok(Self {
@@ -113,7 +110,7 @@ impl PreparedFaces {
     fn new(
         context: &PrepareContext<'_>,
         (target, bindings): (&Target, &Bindings),
-        parameters: &VolumeParameters,
+        parameters: &StageVolumeParameters,
         faces: Faces,
     ) -> Result<Self, MethodError> {
         let device = &context.gpu.device;
@@ -246,21 +243,26 @@ impl PreparedMethod for StencilVolumes {
                 draws.choose(frame)?;
             }
         }
-        frame.stage(VOLUMES_STAGE, |stage| {
-            self.counts.begin(stage);
-            stage.native(&self.target, &self.bindings, |pass| {
-                self.draw(pass, &plan);
-            });
-        });
+        let targets = frame.targets();
         let near_counts = (plan.near_count, plan.near_count_of_rest);
-        self.counts.resolve(frame, near_counts, |stage| {
-            stage.native(&self.target, &self.bindings, |pass| {
-                let takes = |plan: &CasterPlan| plan.casting == Casting::EachSide;
-                if let Some(open_edges) = &self.open_edges {
-                    open_edges.draw(pass, &plan.casters, takes);
-                }
+        for round in self.counts.rounds() {
+            frame.stage(round.volumes, |stage| {
+                self.counts.begin(stage, targets, round);
+                stage.native(&self.target, &self.bindings, |pass| {
+                    pass.set_modulus(round.modulus);
+                    self.draw(pass, &plan);
+                });
             });
-        })?;
+            self.counts.resolve(frame, round, near_counts, |stage| {
+                stage.native(&self.target, &self.bindings, |pass| {
+                    pass.set_modulus(round.modulus);
+                    let takes = |plan: &CasterPlan| plan.casting == Casting::EachSide;
+                    if let Some(open_edges) = &self.open_edges {
+                        open_edges.draw(pass, &plan.casters, takes);
+                    }
+                });
+            })?;
+        }
         self.plan = plan;
         Ok(())
     }

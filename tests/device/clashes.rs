@@ -6,10 +6,9 @@ use crate::silhouette_cpu::draw;
 use crate::stability::SIZE_PX;
 use svbench::frame::FrameResources;
 use svbench::judge::Judge;
-use svbench::methods::{self, Domain, Effect, PrepareContext, Registration, Registry};
+use svbench::methods::{self, Domain, Effect, Parameter, PrepareContext, Registration, Registry};
 use svbench::stress::find_cause;
 
-const COUNTERS: [&str; 3] = ["stencil8", "blend16", "blend32"];
 const WAYS: [&str; 4] = [
     "plan=auto",
     "counting=z_fail",
@@ -23,12 +22,20 @@ fn volume_methods(registry: &Registry) -> impl Iterator<Item = &Registration> {
         .filter(|known| !known.info.clashes.is_empty())
 }
 
+fn counters(known: &Registration) -> Vec<&'static str> {
+    let counter = |parameter: &&Parameter| parameter.name == "counter";
+    let found = known.parameters.iter().find(counter).unwrap();
+    let Domain::Choice { choices } = &found.domain else {
+        panic!("{found:?}")
+    };
+    choices.to_vec()
+}
+
 #[test]
 fn what_is_refused_beside_another_is_declared() {
     let gpu = device();
     let scene = find_cause("light_in_mesh").unwrap().scene(0.2, 0);
-    let stage = FrameResources::new(&gpu, &scene, 64, 64).unwrap();
-    let context = PrepareContext::new(&gpu, &scene, &stage);
+    let usual = FrameResources::new(&gpu, &scene, 64, 64).unwrap();
     let registry = Registry::builtin();
     let mut refused = 0;
     for known in volume_methods(&registry) {
@@ -47,6 +54,8 @@ fn what_is_refused_beside_another_is_declared() {
             for choice in others.filter(|_| parameter.name != "plan") {
                 let text = format!("{id},plan=auto,{}={choice}", parameter.name);
                 let method = registry.parse(&text).unwrap();
+                let stage = usual.with_depth(&gpu, method.depth_setup()).unwrap();
+                let context = PrepareContext::new(&gpu, &scene, &stage);
                 let is_refused = methods::prepare(method.as_ref(), &context).is_err();
                 assert_eq!(is_refused, declared.contains(&parameter.name), "{text}");
                 refused += usize::from(is_refused);
@@ -64,13 +73,15 @@ fn each_extraction_goes_with_each_counter_and_way_of_counting() {
     let registry = Registry::builtin();
     let mut all = Vec::new();
     for known in volume_methods(&registry) {
-        for counter in COUNTERS {
+        for counter in counters(known) {
             for way in WAYS {
                 let method = format!("{},{way},counter={counter}", known.info.id);
                 all.push(registry.parse(&method).unwrap());
             }
         }
     }
+    // Five methods of native stages with four counters each, three others with three.
+    assert_eq!(all.len(), (5 * 4 + 3 * 3) * WAYS.len());
     let trial = judge.trial(&scene, &all);
     for (method, attempt) in all.iter().zip(&trial.attempts) {
         assert!(attempt.drawn().is_some(), "{}", method.name());

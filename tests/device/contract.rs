@@ -13,8 +13,8 @@ use svbench::frame::{
     StencilResolve,
 };
 use svbench::gpu::native::{
-    BindingKind, Bindings, IndirectDraws, Pipeline, PipelineDesc, PrimitiveTopology, Raster,
-    Target, VertexInput,
+    BindingKind, Bindings, CountIn, IndirectDraws, Pipeline, PipelineDesc, PrimitiveTopology,
+    Raster, Target, VertexInput,
 };
 use svbench::gpu::{FrameRecorder, FrameTimer, FrameTimes, Gpu, Ticket, readback, shader};
 use svbench::scene::{Light, Moment};
@@ -205,8 +205,14 @@ impl ComputeThenDraw {
             ],
         );
         let depth = DepthSetup::default();
-        let target = Target::new(device, &resources.targets.depth, None, depth.direction).unwrap();
-        let bindings = Bindings::new(device, &[(BindingKind::Storage, &corners)]).unwrap();
+        let target = Target::new(
+            device,
+            &resources.targets.depth,
+            CountIn::Stencil,
+            depth.direction,
+        )
+        .unwrap();
+        let bindings = Bindings::new(device, &target, &[(BindingKind::Storage, &corners)]).unwrap();
         let desc = PipelineDesc {
             stages: &[shader::glsl("tests/contract.vert", &[])],
             input: VertexInput::Numbers,
@@ -243,7 +249,7 @@ impl PreparedMethod for ComputeThenDraw {
                 pass.draw_indirect(&self.draws, 0);
             });
         });
-        self.resolve.record(frame, RESOLVE_STAGE, 0);
+        self.resolve.record(frame, RESOLVE_STAGE, 0, 256);
         Ok(())
     }
 }

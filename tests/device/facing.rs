@@ -7,8 +7,8 @@ use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use svbench::geometry::Determinism;
 use svbench::gpu::native::{
-    BindingKind, Bindings, NativePass, Pipeline, PipelineDesc, PrimitiveTopology, Raster, Target,
-    VertexInput,
+    BindingKind, Bindings, CountIn, NativePass, Pipeline, PipelineDesc, PrimitiveTopology, Raster,
+    Target, VertexInput,
 };
 use svbench::gpu::{Capability, DepthDirection, Gpu, readback, shader};
 use svbench::scene::mesh::canonical;
@@ -165,9 +165,16 @@ fn native(
         usage: wgpu::TextureUsages::RENDER_ATTACHMENT,
         view_formats: &[],
     });
-    let target = Target::new(&gpu.device, &texture, None, DepthDirection::Reversed).unwrap();
+    let target = Target::new(
+        &gpu.device,
+        &texture,
+        CountIn::Stencil,
+        DepthDirection::Reversed,
+    )
+    .unwrap();
     let bindings = Bindings::new(
         &gpu.device,
+        &target,
         &[
             (BindingKind::Storage, &buffers.cases),
             (BindingKind::Storage, &buffers.results),

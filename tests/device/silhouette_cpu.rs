@@ -37,11 +37,12 @@ pub(crate) fn draw(
     method: &str,
     frames: usize,
 ) -> Vec<(Vec<u8>, MaskError)> {
+    let method = Registry::builtin().parse(method).unwrap();
     let stage = FrameResources::new(gpu, scene, SIZE_PX.0, SIZE_PX.1).unwrap();
+    let stage = stage.with_depth(gpu, method.depth_setup()).unwrap();
     let context = PrepareContext::new(gpu, scene, &stage);
     let cache = ReferenceCache::open(None);
     let verifier = Verifier::new(gpu, scene, &stage, &cache).unwrap();
-    let method = Registry::builtin().parse(method).unwrap();
     let mut prepared = methods::prepare(method.as_ref(), &context).unwrap();
     prepared.begin();
     let times = scene.flight.frame_times(frames).into_iter();

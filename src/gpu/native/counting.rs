@@ -1,13 +1,34 @@
-//! How pipelines count: in the stencil by its tests, or by blending what a fragment shader gives.
+//! How pipelines count: in the stencil, by its tests or by fragment shaders, or by blending what these give.
 
 use crate::gpu::DepthDirection;
 use ash::vk;
 
+/// Where the pipelines over a target count.
+#[derive(Debug, Clone)]
+pub enum CountIn {
+    /// In the stencil buffer, by its tests: one up or one down.
+    Stencil,
+    /// In the stencil buffer, whose values fragment shaders read at [`STENCIL_BINDING`](super::STENCIL_BINDING) and
+    /// write, one after the other. It must be one that [`depth_stencil_input`](super::depth_stencil_input) has made.
+    StencilInShaders,
+    /// In a texture with one float a pixel, of the size of the depth buffer: what fragment shaders give is added to it.
+    Blended(wgpu::Texture),
+}
+
+impl CountIn {
+    pub(in crate::gpu) fn texture(&self) -> Option<&wgpu::Texture> {
+        match self {
+            Self::Blended(texture) => Some(texture),
+            Self::Stencil | Self::StencilInShaders => None,
+        }
+    }
+}
+
 /// What happens to the primitives that the last shader before the rasteriser leaves.
 ///
-/// Counting goes on in the stencil buffer, with wrap-around: back faces add one and front faces take
-/// one away. Where the target has counts that are blended, what the fragment shader gives is added to those instead, and it runs
-/// where the stencil would have counted. Front faces wind counter-clockwise in y-up clip space. Depth is never written.
+/// Where the stencil counts by its tests, it wraps around: back faces add one and front faces take one away. Where it is
+/// written by fragment shaders, it changes in the same places, and where counts are blended, fragment shaders run in these
+/// alone. Front faces wind counter-clockwise in y-up clip space. Depth is never written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Raster {
     /// Count where the depth test (nearer than what is there) fails: z-fail.
@@ -24,12 +45,21 @@ pub enum Raster {
 pub(super) fn tests(
     raster: Raster,
     direction: DepthDirection,
-    counts_are_blended: bool,
+    counts: &CountIn,
 ) -> vk::PipelineDepthStencilStateCreateInfo<'static> {
-    if counts_are_blended {
-        depth_tests(raster, direction)
-    } else {
-        stencil_tests(raster, direction)
+    let (up, down) = (
+        vk::StencilOp::INCREMENT_AND_WRAP,
+        vk::StencilOp::DECREMENT_AND_WRAP,
+    );
+    match counts {
+        CountIn::Stencil => stencil_tests(raster, direction, (up, down)),
+        CountIn::StencilInShaders => {
+            let shaders = vk::StencilOp::REPLACE;
+            stencil_tests(raster, direction, (shaders, shaders)).flags(
+                vk::PipelineDepthStencilStateCreateFlags::RASTERIZATION_ORDER_ATTACHMENT_STENCIL_ACCESS_EXT,
+            )
+        }
+        CountIn::Blended(_) => depth_tests(raster, direction),
     }
 }
 
@@ -42,6 +72,7 @@ fn tests_depth(raster: Raster) -> bool {
 fn stencil_tests(
     raster: Raster,
     direction: DepthDirection,
+    (up, down): (vk::StencilOp, vk::StencilOp),
 ) -> vk::PipelineDepthStencilStateCreateInfo<'static> {
     let count = |operation| {
         let (pass_op, depth_fail_op) = match raster {
@@ -61,10 +92,6 @@ fn stencil_tests(
             reference: 0,
         }
     };
-    let (up, down) = (
-        vk::StencilOp::INCREMENT_AND_WRAP,
-        vk::StencilOp::DECREMENT_AND_WRAP,
-    );
     let (front, back) = match raster {
         Raster::CountDepthPasses => (up, down),
         Raster::CountDepthFails | Raster::CountAll | Raster::Discard => (down, up),

@@ -14,6 +14,7 @@
 mod bindings;
 mod counting;
 mod geometry;
+mod image;
 mod memory;
 mod open;
 mod pass;
@@ -21,9 +22,10 @@ mod pipeline;
 mod support;
 mod target;
 
-pub use bindings::{BindingKind, Bindings};
-pub use counting::Raster;
+pub use bindings::{BindingKind, Bindings, STENCIL_BINDING};
+pub use counting::{CountIn, Raster};
 pub use geometry::{IndexedGeometry, IndirectDraws};
+pub use image::depth_stencil_input;
 pub use memory::{free_heap_bytes, most_bytes_at_once};
 pub use open::open;
 pub use pass::NativePass;
@@ -31,6 +33,7 @@ pub use pipeline::{Pipeline, PipelineDesc, PrimitiveTopology, VertexInput};
 pub use support::{has_validation_layer, supported};
 pub use target::Target;
 
+use super::DeviceError;
 use wgpu::hal::api::Vulkan;
 
 /// Why a native object could not be made.
@@ -42,6 +45,19 @@ pub enum NativeError {
     /// A Vulkan call failed.
     #[error("a Vulkan call failed")]
     Vulkan(#[from] ash::vk::Result),
+}
+
+impl From<NativeError> for DeviceError {
+    fn from(error: NativeError) -> Self {
+        use ash::vk::Result as Code;
+        match error {
+            NativeError::Vulkan(
+                Code::ERROR_OUT_OF_DEVICE_MEMORY | Code::ERROR_OUT_OF_HOST_MEMORY,
+            ) => Self::OutOfMemory(error.to_string()),
+            NativeError::Vulkan(error) => Self::Refused(error.to_string()),
+            NativeError::NotVulkan => Self::Refused(error.to_string()),
+        }
+    }
 }
 
 /// The Vulkan device below wgpu's. The returned handle is a table of functions and the handle

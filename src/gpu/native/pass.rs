@@ -1,6 +1,6 @@
 //! Recording native draws.
 
-use super::bindings::Bindings;
+use super::bindings::{Bindings, DRAW_CONSTANTS_BYTES};
 use super::geometry::{IndexedGeometry, IndirectDraws};
 use super::pipeline::Pipeline;
 use super::target::Target;
@@ -93,14 +93,23 @@ impl NativePass<'_> {
 
     /// The `push_constant` block that all stages of the next draws see.
     pub fn set_constants(&mut self, constants: [u32; 4]) {
-        // SAFETY: the pass is under way, and the layout of its bindings has room for the constants.
+        self.push(0, &constants);
+    }
+
+    /// What fragment shaders that count in the stencil count to: so many are 0 again.
+    pub fn set_modulus(&mut self, modulus: u32) {
+        self.push(DRAW_CONSTANTS_BYTES, &[modulus]);
+    }
+
+    fn push(&mut self, offset: u32, constants: &[u32]) {
+        // SAFETY: the pass is under way, and the layout of its bindings has room for what is set here.
         unsafe {
             self.raw.cmd_push_constants(
                 self.commands,
                 self.bound.layout,
                 vk::ShaderStageFlags::ALL,
-                0,
-                bytemuck::bytes_of(&constants),
+                offset,
+                bytemuck::cast_slice(constants),
             );
         }
     }

@@ -142,11 +142,10 @@ fn create(
         .viewports(&viewports)
         .scissors(&scissors);
     let rasterization = rasterization(desc, target.direction);
-    let counts_are_blended = target.counts.is_some();
-    let depth_stencil = counting::tests(desc.raster, target.direction, counts_are_blended);
+    let depth_stencil = counting::tests(desc.raster, target.direction, &target.counts);
     let multisample = vk::PipelineMultisampleStateCreateInfo::default()
         .rasterization_samples(vk::SampleCountFlags::TYPE_1);
-    let added = counts_are_blended.then(counting::addition);
+    let added = target.counts.texture().map(|_| counting::addition());
     let blend = vk::PipelineColorBlendStateCreateInfo::default().attachments(added.as_slice());
     let mut info = vk::GraphicsPipelineCreateInfo::default()
         .stages(&stages)

@@ -7,10 +7,11 @@ mod faces;
 
 use super::capping::{CappedPlan, CappedPlanner, Capping, Caps, fan_apexes};
 use super::corner::Weights;
+use super::counter::ROUND;
 use super::plan::Planner;
 use super::portable_volumes::{Corners, EXTRACT_STAGE, FaceDraws, PortableVolumes};
-use super::volume_parameters::{CASTING_WORDS, VolumeParameters};
-use super::volumes::{STENCIL, VOLUMES_STAGE};
+use super::volume_parameters::{CASTING_WORDS, PortableVolumeParameters};
+use super::volumes::STENCIL;
 use super::{MethodError, MethodInfo, PrepareContext, ShadowMethod, clash, volume_limits};
 use crate::frame::{DepthSetup, DrawnVolumes, Frame, PreparedMethod};
 use crate::geometry::silhouette::{Facings, HEXTREE_DEPTH, SilhouetteEdge};
@@ -49,7 +50,7 @@ parameters! {
             CASTING_WORDS;
         caps: Caps = Caps::Fan,
             "what caps are made of in z_fail: fan (over the silhouette, of closed objects), triangles, far_triangles";
-        ..volume: VolumeParameters;
+        ..volume: PortableVolumeParameters;
     }
 }
 
@@ -78,7 +79,7 @@ impl ShadowMethod for SilhouetteCpu {
             caps: self.caps,
             closed: triangles.closed_casters(&mesh, &topology),
         };
-        let weights = Weights::new(&mesh, volume.counter)?;
+        let weights = Weights::new(&mesh, volume.counter.into())?;
         let edges = CasterEdges::new(&mesh, &topology, triangles);
         let apexes = match self.caps {
             Caps::Fan => fan_apexes(&mesh, &topology),
@@ -99,7 +100,7 @@ impl ShadowMethod for SilhouetteCpu {
             topology,
             edges,
             planner: CappedPlanner {
-                planner: Planner::new(context, volume, casting, Determinism::default()),
+                planner: Planner::new(context, *volume, casting, Determinism::default()),
                 capping,
             },
             open_edges: Rc::clone(casters.open_edges()),
@@ -173,16 +174,19 @@ impl PreparedMethod for CpuVolumes {
                 self.upload(stage, gpu)
             })?,
         };
-        frame.stage(VOLUMES_STAGE, |stage| {
-            self.volumes.counts.begin(stage);
+        let targets = frame.targets();
+        frame.stage(ROUND.volumes, |stage| {
+            self.volumes.counts.begin(stage, targets, &ROUND);
             self.volumes
                 .record(stage, resources, Some(&self.elements), &corners);
         });
         let near_counts = (plan.near_count, plan.near_count_of_rest);
-        self.volumes.counts.resolve(frame, near_counts, |stage| {
-            self.volumes
-                .record_open_edges(stage, resources, Some(&self.elements), &corners);
-        })?;
+        self.volumes
+            .counts
+            .resolve(frame, &ROUND, near_counts, |stage| {
+                self.volumes
+                    .record_open_edges(stage, resources, Some(&self.elements), &corners);
+            })?;
         self.kept = Some(Kept {
             light,
             plans,

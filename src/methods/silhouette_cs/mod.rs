@@ -9,10 +9,11 @@ mod tables;
 
 use super::capping::{CappedPlanner, Capping, Caps};
 use super::corner::Weights;
+use super::counter::ROUND;
 use super::plan::Planner;
 use super::portable_volumes::{EXTRACT_STAGE, PortableVolumes};
-use super::volume_parameters::{CASTING_WORDS, VolumeParameters};
-use super::volumes::{STENCIL, VOLUMES_STAGE};
+use super::volume_parameters::{CASTING_WORDS, PortableVolumeParameters};
+use super::volumes::STENCIL;
 use super::{MethodError, MethodInfo, PrepareContext, ShadowMethod, clash, volume_limits};
 use crate::frame::{DepthSetup, DrawnVolumes, Frame, PreparedMethod};
 use crate::geometry::{Casting, Determinism};
@@ -67,7 +68,7 @@ parameters! {
             CASTING_WORDS;
         caps: Caps = Caps::Fan,
             "what caps are made of in z_fail: fan (over the silhouette, of closed objects), triangles, far_triangles";
-        ..volume: VolumeParameters;
+        ..volume: PortableVolumeParameters;
     }
 }
 
@@ -94,12 +95,12 @@ impl ShadowMethod for SilhouetteCs {
             caps: self.caps,
             closed: triangles.closed_casters(&casters.mesh, casters.topology()),
         };
-        let weights = Weights::new(&casters.mesh, volume.counter)?;
+        let weights = Weights::new(&casters.mesh, volume.counter.into())?;
         Ok(Box::new(CsVolumes {
             extractor: Extractor::new(context, self, (&capping, weights))?,
             volumes: PortableVolumes::of_corners(context, &volume, weights)?,
             planner: CappedPlanner {
-                planner: Planner::new(context, volume, casting, Determinism::default()),
+                planner: Planner::new(context, *volume, casting, Determinism::default()),
                 capping,
             },
             drawn: DrawnVolumes::default(),
@@ -127,8 +128,9 @@ impl PreparedMethod for CsVolumes {
             extractor, volumes, ..
         } = self;
         let elements = Some(extractor.elements());
-        frame.stage(VOLUMES_STAGE, |stage| {
-            volumes.counts.begin(stage);
+        let targets = frame.targets();
+        frame.stage(ROUND.volumes, |stage| {
+            volumes.counts.begin(stage, targets, &ROUND);
             for round in 0..extractor.rounds() {
                 extractor.emit(stage, &plans, round);
                 let corners = extractor.corners(&plans, round);
@@ -136,16 +138,18 @@ impl PreparedMethod for CsVolumes {
             }
         });
         let near_counts = (plan.near_count, plan.near_count_of_rest);
-        volumes.counts.resolve(frame, near_counts, |stage| {
-            for round in 0..extractor.rounds() {
-                // What was made in a single round is still there.
-                if extractor.rounds() > 1 {
-                    extractor.emit(stage, &plans, round);
+        volumes
+            .counts
+            .resolve(frame, &ROUND, near_counts, |stage| {
+                for round in 0..extractor.rounds() {
+                    // What was made in a single round is still there.
+                    if extractor.rounds() > 1 {
+                        extractor.emit(stage, &plans, round);
+                    }
+                    let corners = extractor.corners(&plans, round);
+                    volumes.record_open_edges(stage, resources, elements, &corners);
                 }
-                let corners = extractor.corners(&plans, round);
-                volumes.record_open_edges(stage, resources, elements, &corners);
-            }
-        })?;
+            })?;
         self.drawn = plan.drawn();
         Ok(())
     }

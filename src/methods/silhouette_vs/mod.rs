@@ -4,12 +4,13 @@
 mod quads;
 
 use super::capping::{CappedPlan, CappedPlanner, Capping, Caps};
+use super::counter::{Counter, ROUND};
 use super::device_edges::{self, SidesBy};
 use super::plan::Planner;
 use super::plan_words;
 use super::portable_volumes::{CornerStage, Corners, FaceDraws, PortableVolumes};
-use super::volume_parameters::{CASTING_WORDS, FrontCap, VolumeParameters};
-use super::volumes::{STENCIL, VOLUMES_STAGE};
+use super::volume_parameters::{CASTING_WORDS, FrontCap, PortableVolumeParameters};
+use super::volumes::STENCIL;
 use super::{MethodError, MethodInfo, PrepareContext, ShadowMethod, clash, volume_limits};
 use crate::frame::fullscreen::{bind_group, bind_group_layout, buffer_binding};
 use crate::frame::{DepthSetup, DrawnVolumes, Frame, PreparedMethod};
@@ -37,7 +38,7 @@ parameters! {
     pub(super) struct SilhouetteVs {
         casting: Casting = Casting::LightFacing,
             CASTING_WORDS;
-        ..volume: VolumeParameters;
+        ..volume: PortableVolumeParameters;
     }
 }
 
@@ -73,14 +74,14 @@ impl ShadowMethod for SilhouetteVs {
                 format!("a shader may read {most} storage buffers here, and it reads {BUFFERS}");
             return Err(MethodError::Unavailable(message));
         }
-        let quads = Quads::new(casters, volume.counter)?;
+        let quads = Quads::new(casters, volume.counter.into())?;
         let bytes = (4 * casters.mesh.caster_object_count()).max(4) as u64;
         let usage = Usage::STORAGE | Usage::COPY_DST;
         let plans = context.gpu.empty_buffer("plans of casters", bytes, usage)?;
         Ok(Box::new(VsVolumes {
             volumes: volumes(context, &volume, &quads, &plans)?,
             planner: CappedPlanner {
-                planner: Planner::new(context, volume, casting, Determinism::default()),
+                planner: Planner::new(context, *volume, casting, Determinism::default()),
                 capping,
             },
             plans,
@@ -93,7 +94,7 @@ impl ShadowMethod for SilhouetteVs {
 /// The pipelines, and what their vertex shader reads.
 fn volumes(
     context: &PrepareContext<'_>,
-    parameters: &VolumeParameters,
+    parameters: &PortableVolumeParameters,
     quads: &Quads,
     plans: &wgpu::Buffer,
 ) -> Result<PortableVolumes, MethodError> {
@@ -122,7 +123,7 @@ fn volumes(
     let stages = wgpu::ShaderStages::VERTEX;
     let layout = bind_group_layout(&gpu.device, "faces", stages, &[read_only; BUFFERS as usize]);
     let bound = buffers.each_ref().map(wgpu::Buffer::as_entire_binding);
-    let takes_weights = parameters.counter.takes_weights();
+    let takes_weights = Counter::from(parameters.counter).takes_weights();
     let stage = CornerStage {
         path: "methods/silhouette_vs/face.wgsl",
         entry_point: "face",
@@ -153,18 +154,21 @@ impl PreparedMethod for VsVolumes {
         let resources = frame.resources();
         let (plan, plans) = self.planner.choose(frame);
         let Self { quads, volumes, .. } = self;
-        let corners = frame.stage(VOLUMES_STAGE, |stage| -> anyhow::Result<Corners> {
+        let targets = frame.targets();
+        let corners = frame.stage(ROUND.volumes, |stage| -> anyhow::Result<Corners> {
             let words: Vec<_> = plans.iter().copied().map(plan_words::word).collect();
             stage.upload(&self.plans, 0, bytemuck::cast_slice(&words))?;
             let corners = corners(quads, &self.planner.capping, &plans);
-            volumes.counts.begin(stage);
+            volumes.counts.begin(stage, targets, &ROUND);
             volumes.record(stage, resources, None, &corners);
             Ok(corners)
         })?;
         let near_counts = (plan.near_count, plan.near_count_of_rest);
-        volumes.counts.resolve(frame, near_counts, |stage| {
-            volumes.record_open_edges(stage, resources, None, &corners);
-        })?;
+        volumes
+            .counts
+            .resolve(frame, &ROUND, near_counts, |stage| {
+                volumes.record_open_edges(stage, resources, None, &corners);
+            })?;
         self.drawn = plan.drawn();
         Ok(())
     }
