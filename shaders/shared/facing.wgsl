@@ -43,6 +43,18 @@ fn sorted_facing(t: Sorted, light: vec4<f32>) -> i32 {
     return select(select(side, -side, t.is_swapped), 0, is_degenerate);
 }
 
+// The same of three corners of which a is before b.
+fn sort_third(a: vec3<f32>, b: vec3<f32>, c: vec3<f32>) -> Sorted {
+    let before_b = vertex_less(c, b);
+    let before_a = vertex_less(c, a);
+    return Sorted(
+        select(a, c, before_a),
+        select(select(b, c, before_b), a, before_a),
+        select(c, b, before_b),
+        before_a != before_b,
+    );
+}
+
 // +1 if the light lies on the side from which a, b, c look counter-clockwise, -1 on the other side,
 // 0 in the plane of the triangle. light.w: 1 position, 0 direction towards the light.
 fn facing(a: vec3<f32>, b: vec3<f32>, c: vec3<f32>, light: vec4<f32>) -> i32 {

@@ -40,7 +40,10 @@ pub(super) fn check(topology: &Topology, casters: usize) -> Result<(), MethodErr
 }
 
 /// The edges with their ends in the vertex order, and their triangles: see multiplicity.wgsl.
-pub(super) fn edges_and_sides(casters: &Casters, by: SidesBy) -> (Vec<[u32; 4]>, Vec<u32>) {
+pub(super) type EdgesAndSides = (Vec<[u32; 4]>, Vec<u32>);
+
+/// Those of all casters.
+pub(super) fn edges_and_sides(casters: &Casters, by: SidesBy) -> EdgesAndSides {
     let (mesh, topology) = (&casters.mesh, casters.topology());
     let triangles = casters.edge_triangles();
     let mut sides = Vec::with_capacity(topology.opposites.len());
@@ -71,4 +74,20 @@ pub(super) fn edges_and_sides(casters: &Casters, by: SidesBy) -> (Vec<[u32; 4]>,
         [directed.a, directed.b, first, word]
     });
     (edges.collect(), sides)
+}
+
+/// The same in another order; a number that no edge has leaves a place with an edge without triangles.
+pub(super) fn in_order((edges, sides): &EdgesAndSides, order: &[u32]) -> EdgesAndSides {
+    let mut ordered = Vec::with_capacity(sides.len());
+    let record = |&number: &u32| {
+        let Some(&[a, b, first, word]) = edges.get(number as usize) else {
+            return [0; 4];
+        };
+        let count = word & ((1 << TRIANGLE_BITS) - 1);
+        let own = &sides[first as usize..(first + count) as usize];
+        let first = ordered.len() as u32;
+        ordered.extend_from_slice(own);
+        [a, b, first, word]
+    };
+    (order.iter().map(record).collect(), ordered)
 }

@@ -23,9 +23,8 @@ const HEIGHT: u32 = 768;
 const MAX_WRONG_PX: u64 = WIDTH as u64 * HEIGHT as u64 / 20_000;
 /// 0.02 %: outlines of shadows and of dark sides pass some centres by less than the rasteriser's grid.
 const MAX_AMBIGUOUS_PX: u64 = WIDTH as u64 * HEIGHT as u64 / 5_000;
-/// Seeds of views and lights, and how many of each. With 3 and 11, volumes once had artifacts.
+/// Seeds of views and lights. With 3 and 11, volumes once had artifacts.
 const SEEDS: [u64; 3] = [3, 4, 11];
-const SHOTS: usize = 7;
 const METHODS: [&str; 10] = [
     "silhouette_ts",
     "silhouette_gs",
@@ -39,9 +38,12 @@ const METHODS: [&str; 10] = [
     "triangle_ts,counting=auto",
 ];
 
-/// Draws `scene` at each view and light with each method and returns the errors, and how many of them are hard, a
-/// row a view.
-fn errors(gpu: &Gpu, scene: &Scene, shots: &[Moment]) -> Vec<Vec<(MaskError, usize)>> {
+/// Error of a picture, and how many of its wrong pixels are hard.
+type Judged = (MaskError, usize);
+
+/// Draws `scene` at each view and light with every other method, which others in turns, and returns their errors, a row a
+/// view.
+fn errors(gpu: &Gpu, scene: &Scene, shots: &[Moment]) -> Vec<Vec<Option<Judged>>> {
     let cache = ReferenceCache::open(None);
     let stage = FrameResources::new(gpu, scene, WIDTH, HEIGHT).unwrap();
     let mut methods: Vec<Box<dyn PreparedMethod>> = {
@@ -58,16 +60,18 @@ fn errors(gpu: &Gpu, scene: &Scene, shots: &[Moment]) -> Vec<Vec<(MaskError, usi
     let verifier = Verifier::new(gpu, scene, &stage, &cache).unwrap();
     shots
         .iter()
-        .map(|moment| {
+        .enumerate()
+        .map(|(shot, moment)| {
             let truth = verifier.truth(moment).unwrap();
+            let judge = |method: &mut dyn PreparedMethod| {
+                let mask = verifier.draw_mask(method, &truth).unwrap();
+                let judgement = verifier.compare(&mask, &truth, method).unwrap();
+                let hard = verifier.hard_errors(&mask, &truth).unwrap();
+                (judgement.error, hard.len())
+            };
+            let methods = methods.iter_mut().enumerate();
             methods
-                .iter_mut()
-                .map(|method| {
-                    let mask = verifier.draw_mask(method.as_mut(), &truth).unwrap();
-                    let judgement = verifier.compare(&mask, &truth, method.as_ref()).unwrap();
-                    let hard = verifier.hard_errors(&mask, &truth).unwrap();
-                    (judgement.error, hard.len())
-                })
+                .map(|(number, method)| ((shot + number) % 2 == 0).then(|| judge(method.as_mut())))
                 .collect()
         })
         .collect()
@@ -95,7 +99,8 @@ fn outside_spheres(random: &mut impl Rng, low: Vec3, high: Vec3) -> Vec3 {
     }
 }
 
-fn sphere_grid_has_no_artifacts(slices: u32) {
+/// In so many views of each seed.
+fn sphere_grid_has_no_artifacts(slices: u32, views: usize) {
     let plan = find_scene("sphere_grid", Path::new("")).unwrap();
     let file = plan
         .file
@@ -132,14 +137,17 @@ fn sphere_grid_has_no_artifacts(slices: u32) {
         .into_iter()
         .flat_map(|seed| {
             let mut random = ChaCha8Rng::seed_from_u64(seed);
-            (0..SHOTS).map(|_| shot(&mut random)).collect::<Vec<_>>()
+            (0..views).map(|_| shot(&mut random)).collect::<Vec<_>>()
         })
         .collect();
     let device = device();
     let errors = errors(&device, &scene, &shots);
     let (mut faults, mut hard) = (Vec::new(), [0; METHODS.len()]);
     for (Moment { view, light }, row) in shots.iter().zip(&errors) {
-        for ((method, (error, hard_px)), hard) in METHODS.iter().zip(row).zip(&mut hard) {
+        for ((method, judged), hard) in METHODS.iter().zip(row).zip(&mut hard) {
+            let Some((error, hard_px)) = judged else {
+                continue;
+            };
             let place = format!(
                 "{method}, n = {slices}, eye {}, target {}, light {}: {error:?}, {hard_px} hard",
                 view.eye, view.target, light.place
@@ -165,7 +173,7 @@ fn sphere_grid_has_no_artifacts(slices: u32) {
     );
     for (method, hard) in METHODS.iter().zip(hard) {
         let most = if method.starts_with("triangle_ts") {
-            shots.len() / 2
+            shots.len() / 4
         } else {
             1
         };
@@ -175,10 +183,10 @@ fn sphere_grid_has_no_artifacts(slices: u32) {
 
 #[test]
 fn volumes_of_coarse_spheres_have_no_artifacts() {
-    sphere_grid_has_no_artifacts(18);
+    sphere_grid_has_no_artifacts(18, 7);
 }
 
 #[test]
 fn volumes_of_fine_spheres_have_no_artifacts() {
-    sphere_grid_has_no_artifacts(60);
+    sphere_grid_has_no_artifacts(60, 4);
 }

@@ -14,7 +14,7 @@ use svbench::methods::{PrepareContext, Registry};
 use svbench::scene::{Light, Moment, View};
 
 const SIZE_PX: (u32, u32) = (320, 240);
-const VIEWS: usize = 80;
+const VIEWS: usize = 40;
 const METHODS: [&str; 4] = [
     "silhouette_ts",
     "silhouette_gs",

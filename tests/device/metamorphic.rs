@@ -81,7 +81,9 @@ fn sponza_keeps_its_shadow_however_it_is_told() {
     match plan.file.load(&plan.search) {
         Ok(sponza) => {
             // It has all that the model has, and flaws: a model without takes as long and says less.
-            assert_unchanged([damaged(&sponza, 0.02)], &methods(&METHODS));
+            // Those that others are made of, and the way to find silhouettes that is not a shader's.
+            let few = ["silhouette_ts", "triangle_gs", "silhouette_cpu"];
+            assert_unchanged([damaged(&sponza, 0.02)], &methods(&few));
         }
         Err(error) => println!("skipped: {error}"),
     }
@@ -89,7 +91,7 @@ fn sponza_keeps_its_shadow_however_it_is_told() {
 
 #[test]
 fn random_scenes_keep_their_shadow_however_they_are_told() {
-    assert_unchanged((0..60).map(random::case), &methods(&METHODS));
+    assert_unchanged((0..20).map(random::case), &methods(&METHODS));
 }
 
 /// A leaning sheet with the light in its plane as nearly as single precision can say.

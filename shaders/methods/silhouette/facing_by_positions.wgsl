@@ -4,11 +4,11 @@
 
 @group(1) @binding(6) var<storage, read> positions: array<vec4<f32>>;
 
-// Ends of the edge that is asked.
+// Ends of the edge that is asked, in the vertex order.
 var<private> end_a: vec3<f32>;
 var<private> end_b: vec3<f32>;
 
 // The facing along it of the triangle with this opposite vertex.
 fn facing_along(opposite: u32, along: i32) -> i32 {
-    return facing(end_a, end_b, positions[opposite].xyz, frame.light);
+    return sorted_facing(sort_third(end_a, end_b, positions[opposite].xyz), frame.light);
 }

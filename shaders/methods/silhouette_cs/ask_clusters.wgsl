@@ -1,7 +1,5 @@
-// Asks the edges of clusters whose planes may lie on both sides of the light's hyperplane, by the facings of their own
-// triangles, and marks those with faces: see src/geometry/silhouette/clusters.rs.
-#include "methods/silhouette/facing_by_positions.wgsl"
-#include "methods/silhouette_cs/asked.wgsl"
+// Lists the clusters of edges whose planes may lie on both sides of the light's hyperplane: see
+// src/geometry/silhouette/clusters.rs. In which order they are listed says nothing: each edge is marked in a place of its own.
 
 struct Cluster {
     low: vec4<f32>,
@@ -17,16 +15,18 @@ struct DualLight {
     unused: vec2<f32>,
 }
 
-@group(0) @binding(1) var<uniform> light: DualLight;
+@group(0) @binding(0) var<uniform> light: DualLight;
 @group(1) @binding(0) var<storage, read> clusters: array<Cluster>;
-// The edges of all clusters, 16 each: their numbers, and where they are marked.
-@group(1) @binding(5) var<storage, read> cluster_edges: array<vec2<u32>>;
-// A bit for each edge of a block.
-@group(1) @binding(7) var<storage, read_write> marks: array<atomic<u32>>;
+// How many are listed, and which: see ask_edges.wgsl.
+@group(1) @binding(1) var<storage, read_write> listed: array<atomic<u32>>;
+// The workgroups that ask the edges of those.
+@group(1) @binding(2) var<storage, read_write> workgroups: array<atomic<u32>, 4>;
 
+// Twins in ask_edges.wgsl.
 const EDGES: u32 = 16u;
-// Where a cluster has fewer.
-const NO_EDGE: u32 = 0xffffffffu;
+const WORKGROUP: u32 = 64u;
+// Every device takes so many at once.
+const MOST_WORKGROUPS: u32 = 65535u;
 
 @compute @workgroup_size(64)
 fn ask_clusters(@builtin(global_invocation_id) at: vec3<u32>) {
@@ -42,21 +42,7 @@ fn ask_clusters(@builtin(global_invocation_id) at: vec3<u32>) {
     if least > doubt || -most > doubt {
         return;
     }
-    let first = EDGES * number;
-    let end = min(first + EDGES, arrayLength(&cluster_edges));
-    for (var place = first; place < end; place++) {
-        let number = cluster_edges[place].x;
-        if number == NO_EDGE {
-            continue;
-        }
-        let edge = edges[number];
-        end_a = positions[edge.x].xyz;
-        end_b = positions[edge.y].xyz;
-        let sums = multiplicities_of(edge);
-        if any(sums != vec2<i32>(0)) {
-            multiplicities[number] = pack(sums);
-            let bit = cluster_edges[place].y;
-            atomicOr(&marks[bit / 32u], 1u << (bit % 32u));
-        }
-    }
+    let place = atomicAdd(&listed[0], 1u);
+    atomicStore(&listed[1u + place], number);
+    atomicMax(&workgroups[0], min(place / (WORKGROUP / EDGES) + 1u, MOST_WORKGROUPS));
 }

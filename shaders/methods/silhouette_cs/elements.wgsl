@@ -10,8 +10,9 @@ override corners_a_round: u32;
 override this_round: u32;
 
 fn emit(place: u32, a: u32, b: u32, c: u32) {
-    if place / corners_a_round == this_round {
-        let at = place % corners_a_round;
+    // Wraps around to more than there are where the place is one of a round before.
+    let at = place - this_round * corners_a_round;
+    if at < corners_a_round {
         elements[at] = a;
         elements[at + 1u] = b;
         elements[at + 2u] = c;

@@ -9,6 +9,7 @@ use crate::geometry::Casting;
 use crate::gpu::Stage;
 use crate::methods::capping::{CappedPlan, Capping};
 use crate::methods::corner::Weights;
+use crate::methods::device_edges::edges_and_sides;
 use crate::methods::plan_words;
 use crate::methods::portable_volumes::{Corners, FaceDraws, INDIRECT_BYTES};
 use crate::methods::{MethodError, PrepareContext};
@@ -44,7 +45,8 @@ impl Extractor {
         let blocks = Blocks::new(&context.casters.mesh, context.casters.topology());
         let extraction = parameters.extraction;
         let most_bytes = u64::from(parameters.faces_mib) << 20;
-        let tables = Tables::new(context, &blocks, extraction, capping.caps, most_bytes)?;
+        let records = edges_and_sides(&context.casters, extraction.sides_by());
+        let tables = Tables::new(context, &blocks, &records, capping.caps, most_bytes)?;
         let first_blocks = match parameters.draw_calls {
             DrawCalls::Scene => vec![0, blocks.blocks.len() as u32],
             DrawCalls::Object => blocks.of_casters.clone(),
@@ -59,12 +61,13 @@ impl Extractor {
         let kernels = Kernels {
             context,
             tables: &tables,
+            records: &records,
             weights,
             count: blocks.blocks.len() as u32,
         };
         let ask = match extraction {
             Extraction::Clusters => kernels.ask_clusters(&blocks)?,
-            Extraction::Facings => kernels.ask_facings(),
+            Extraction::Facings => kernels.ask_facings()?,
         };
         Ok(Self {
             ask,
@@ -96,14 +99,13 @@ impl Extractor {
     ) -> anyhow::Result<()> {
         let words: Vec<_> = plans.iter().copied().map(plan_words::word).collect();
         stage.upload(&self.tables.plans, 0, bytemuck::cast_slice(&words))?;
-        if let Ask::Clusters {
-            clusters,
-            light: to,
-            ..
-        } = &self.ask
-        {
-            let light = clusters.light(light);
-            stage.upload(to, 0, bytemuck::bytes_of(&light))?;
+        if let Ask::Clusters(ask) = &self.ask {
+            let light = ask.clusters.light(light);
+            stage.upload(&ask.light, 0, bytemuck::bytes_of(&light))?;
+            // None yet, and one in each of the other dimensions.
+            let none = [0, 1, 1, 0u32];
+            stage.upload(&ask.workgroups, 0, bytemuck::bytes_of(&none))?;
+            stage.encoder().clear_buffer(&ask.listed, 0, Some(4));
             stage.encoder().clear_buffer(&self.tables.marks, 0, None);
         }
         let has_triangles = plans.iter().any(|plan| plan.has_triangles());
@@ -111,8 +113,13 @@ impl Extractor {
         if has_triangles || matches!(self.ask, Ask::Facings(_)) {
             self.find_facings.dispatch(&mut pass);
         }
-        let (Ask::Clusters { kernel, .. } | Ask::Facings(kernel)) = &self.ask;
-        kernel.dispatch(&mut pass);
+        match &self.ask {
+            Ask::Clusters(ask) => {
+                ask.of_clusters.dispatch(&mut pass);
+                ask.of_edges.dispatch_indirect(&mut pass, &ask.workgroups);
+            }
+            Ask::Facings(kernel) => kernel.dispatch(&mut pass),
+        }
         self.count_edges.dispatch(&mut pass);
         if has_triangles {
             self.count_triangles.dispatch(&mut pass);

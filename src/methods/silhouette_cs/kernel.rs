@@ -68,10 +68,24 @@ impl Kernel {
     }
 
     pub(super) fn dispatch(&self, pass: &mut wgpu::ComputePass<'_>) {
+        self.set(pass);
+        pass.dispatch_workgroups(self.workgroups, 1, 1);
+    }
+
+    /// With so many workgroups as a buffer says, instead of its own.
+    pub(super) fn dispatch_indirect(
+        &self,
+        pass: &mut wgpu::ComputePass<'_>,
+        workgroups: &wgpu::Buffer,
+    ) {
+        self.set(pass);
+        pass.dispatch_workgroups_indirect(workgroups, 0);
+    }
+
+    fn set(&self, pass: &mut wgpu::ComputePass<'_>) {
         pass.set_pipeline(&self.pipeline);
         for (number, group) in &self.groups {
             pass.set_bind_group(*number, group, &[]);
         }
-        pass.dispatch_workgroups(self.workgroups, 1, 1);
     }
 }

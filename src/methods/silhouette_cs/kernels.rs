@@ -9,21 +9,30 @@ use crate::gpu::{DeviceError, shader};
 use crate::methods::PrepareContext;
 use crate::methods::capping::{Capping, Caps};
 use crate::methods::corner::Weights;
+use crate::methods::device_edges::{EdgesAndSides, in_order};
 use crate::methods::volume_parameters::FrontCap;
 use wgpu::BufferUsages as Usage;
 
-/// Twin of `EDGES` in ask_clusters.wgsl.
+/// Twin of `EDGES` in ask_clusters.wgsl and ask_edges.wgsl.
 const EDGES_A_CLUSTER: usize = 16;
 
 /// How silhouette edges are found.
 pub(super) enum Ask {
-    Clusters {
-        clusters: EdgeClusters,
-        kernel: Kernel,
-        light: wgpu::Buffer,
-    },
+    Clusters(Box<AskClusters>),
     /// Of facings that are known.
     Facings(Kernel),
+}
+
+/// First clusters are asked, then the edges of those that may have one on the silhouette.
+pub(super) struct AskClusters {
+    pub(super) clusters: EdgeClusters,
+    pub(super) light: wgpu::Buffer,
+    /// How many are listed, and which.
+    pub(super) listed: wgpu::Buffer,
+    /// What asks their edges.
+    pub(super) workgroups: wgpu::Buffer,
+    pub(super) of_clusters: Kernel,
+    pub(super) of_edges: Kernel,
 }
 
 /// Makes faces.
@@ -36,6 +45,7 @@ pub(super) struct Emit {
 pub(super) struct Kernels<'a> {
     pub(super) context: &'a PrepareContext<'a>,
     pub(super) tables: &'a Tables,
+    pub(super) records: &'a EdgesAndSides,
     pub(super) weights: Weights,
     /// Of the blocks.
     pub(super) count: u32,
@@ -87,10 +97,7 @@ impl Kernels<'_> {
 
     pub(super) fn ask_clusters(&self, blocks: &Blocks) -> Result<Ask, DeviceError> {
         let PrepareContext {
-            gpu,
-            resources,
-            ref casters,
-            ..
+            gpu, ref casters, ..
         } = *self.context;
         let (topology, triangles) = (casters.topology(), casters.edge_triangles());
         // Triangles that face the light may have such an edge on their silhouette where all together have not.
@@ -98,47 +105,68 @@ impl Kernels<'_> {
         let all = 0..topology.edges.len() as u32;
         let (mesh, groups) = (&casters.mesh, std::slice::from_ref(&all));
         let clusters = EdgeClusters::build(mesh, topology, groups, EDGES_A_CLUSTER, is_irregular);
-        let edges = clusters.edges.iter();
-        let edges: Vec<_> = edges
-            .map(|edge| [*edge, blocks.bits.get(*edge as usize).copied().unwrap_or(0)])
+        let count = clusters.boxes.len() as u32;
+        let empty = |what: &str, words: u32, usage| {
+            gpu.empty_buffer(what, 4 * u64::from(words), usage | Usage::COPY_DST)
+        };
+        let light_words = (size_of::<ClusterLight>() / 4) as u32;
+        let light = empty("the light of clusters", light_words, Usage::UNIFORM)?;
+        let listed = empty("clusters to be asked", 1 + count.max(1), Usage::STORAGE)?;
+        let indirect = Usage::STORAGE | Usage::INDIRECT;
+        let workgroups = empty("workgroups that ask edges", 4, indirect)?;
+        let buffers = [(0, &self.boxes(&clusters)?), (1, &listed), (2, &workgroups)];
+        let bound = (&[(0, &light)][..], &buffers[..]);
+        Ok(Ask::Clusters(Box::new(AskClusters {
+            of_clusters: self.kernel_with("ask_clusters", &[], bound, count),
+            of_edges: self.ask_edges(blocks, &clusters, &listed)?,
+            // The device has them.
+            clusters: clusters.without_edges(),
+            light,
+            listed,
+            workgroups,
+        })))
+    }
+
+    /// What is listed says how many.
+    fn ask_edges(
+        &self,
+        blocks: &Blocks,
+        clusters: &EdgeClusters,
+        listed: &wgpu::Buffer,
+    ) -> Result<Kernel, DeviceError> {
+        let PrepareContext { gpu, resources, .. } = self.context;
+        let bit = |edge: &u32| blocks.bits.get(*edge as usize).copied().unwrap_or(0);
+        let places: Vec<_> = clusters
+            .edges
+            .iter()
+            .map(|edge| [*edge, bit(edge)])
             .collect();
-        let boxes = self.boxes(&clusters)?;
-        let cluster_edges = bytemuck::cast_slice(&edges);
-        let cluster_edges = words(gpu, "the edges of clusters", cluster_edges)?;
-        let light = gpu.empty_buffer(
-            "the light of clusters",
-            size_of::<ClusterLight>() as u64,
-            Usage::UNIFORM | Usage::COPY_DST,
-        )?;
+        let places = bytemuck::cast_slice(&places);
+        let places = words(gpu, "the numbers of clusters' edges", places)?;
+        // In the order in which they are asked, memory is read once and ahead.
+        let (edges, sides) = in_order(self.records, &clusters.edges);
+        let edges = words(gpu, "the edges of clusters", bytemuck::cast_slice(&edges))?;
+        let sides = words(gpu, "the triangles of clusters' edges", &sides)?;
         let Tables {
             plans,
-            edges,
-            sides,
             multiplicities,
             marks,
             ..
         } = self.tables;
         let buffers = [
-            &boxes,
+            listed,
             plans,
-            edges,
-            sides,
+            &edges,
+            &sides,
             multiplicities,
-            &cluster_edges,
+            &places,
             &resources.scene.positions,
             marks,
         ];
         let buffers: Vec<_> = (0..).zip(buffers).collect();
-        let uniforms = [(0, &resources.uniform.buffer), (1, &light)];
+        let uniforms = [(0, &resources.uniform.buffer)];
         let bound = (&uniforms[..], &buffers[..]);
-        let kernel = self.kernel_with("ask_clusters", &[], bound, clusters.boxes.len() as u32);
-        // The device has them.
-        let clusters = clusters.without_edges();
-        Ok(Ask::Clusters {
-            clusters,
-            kernel,
-            light,
-        })
+        Ok(self.kernel_with("ask_edges", &[], bound, 0))
     }
 
     /// The boxes of clusters on the device, which has one at least.
@@ -152,12 +180,13 @@ impl Kernels<'_> {
         Ok(boxes)
     }
 
-    pub(super) fn ask_facings(&self) -> Ask {
+    pub(super) fn ask_facings(&self) -> Result<Ask, DeviceError> {
+        let (_, sides) = self.records;
+        let sides = &words(self.context.gpu, "the triangles of edges", sides)?;
         let Tables {
             blocks,
             plans,
             edges,
-            sides,
             multiplicities,
             facings,
             marks,
@@ -165,7 +194,8 @@ impl Kernels<'_> {
         } = self.tables;
         let buffers = [blocks, plans, edges, sides, multiplicities, facings, marks];
         let buffers: Vec<_> = (0..).zip(buffers).collect();
-        Ask::Facings(self.kernel("ask_facings", &[], &buffers, self.count))
+        let kernel = self.kernel("ask_facings", &[], &buffers, self.count);
+        Ok(Ask::Facings(kernel))
     }
 
     pub(super) fn count_edges(&self) -> Kernel {

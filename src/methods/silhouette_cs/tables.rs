@@ -4,7 +4,7 @@ use super::Extraction;
 use super::blocks::Blocks;
 use crate::gpu::{DeviceError, Gpu};
 use crate::methods::capping::{Caps, fan_apexes};
-use crate::methods::device_edges::{self, SidesBy, edges_and_sides};
+use crate::methods::device_edges::{self, EdgesAndSides, SidesBy};
 use crate::methods::{Casters, MethodError, PrepareContext};
 use wgpu::BufferUsages as Usage;
 
@@ -20,7 +20,6 @@ const CORNERS_OF_CAPS: u64 = 6;
 pub(super) struct Tables {
     pub(super) blocks: wgpu::Buffer,
     pub(super) edges: wgpu::Buffer,
-    pub(super) sides: wgpu::Buffer,
     pub(super) indices: wgpu::Buffer,
     pub(super) apexes: wgpu::Buffer,
     /// A word for each caster.
@@ -39,7 +38,7 @@ pub(super) struct Tables {
 
 impl Extraction {
     /// What it knows the triangles of an edge by.
-    fn sides_by(self) -> SidesBy {
+    pub(super) fn sides_by(self) -> SidesBy {
         match self {
             Self::Clusters => SidesBy::OppositeVertex,
             Self::Facings => SidesBy::Triangle,
@@ -51,7 +50,7 @@ impl Tables {
     pub(super) fn new(
         context: &PrepareContext<'_>,
         blocks: &Blocks,
-        extraction: Extraction,
+        (edges, sides): &EdgesAndSides,
         caps: Caps,
         most_bytes: u64,
     ) -> Result<Self, MethodError> {
@@ -59,7 +58,6 @@ impl Tables {
         let casters = &*context.casters;
         let (mesh, topology) = (&*casters.mesh, &**casters.topology());
         device_edges::check(topology, blocks.of_casters.len() - 1)?;
-        let (edges, sides) = edges_and_sides(casters, extraction.sides_by());
         let apexes = match caps {
             Caps::Fan => fan_apexes(mesh, topology),
             Caps::Triangles | Caps::FarTriangles => Vec::new(),
@@ -82,8 +80,7 @@ impl Tables {
                 "blocks of edges and triangles",
                 bytemuck::cast_slice(&blocks.blocks),
             )?,
-            edges: words("the edges", bytemuck::cast_slice(&edges))?,
-            sides: words("the triangles of edges", &sides)?,
+            edges: words("the edges", bytemuck::cast_slice(edges))?,
             indices: context.indices()?,
             apexes: words("where fans meet", &apexes)?,
             plans: empty(
