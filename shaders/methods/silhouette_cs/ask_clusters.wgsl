@@ -1,5 +1,6 @@
 // Lists the clusters of edges whose planes may lie on both sides of the light's hyperplane: see
 // src/geometry/silhouette/clusters.rs. In which order they are listed says nothing: each edge is marked in a place of its own.
+#include "methods/silhouette_cs/listed.wgsl"
 
 struct Cluster {
     low: vec4<f32>,
@@ -22,9 +23,6 @@ struct DualLight {
 // The workgroups that ask the edges of those.
 @group(1) @binding(2) var<storage, read_write> workgroups: array<atomic<u32>, 4>;
 
-// Twins in ask_edges.wgsl.
-const EDGES: u32 = 16u;
-const WORKGROUP: u32 = 64u;
 // Every device takes so many at once.
 const MOST_WORKGROUPS: u32 = 65535u;
 

@@ -1,6 +1,7 @@
 // Asks the edges of the clusters that are listed, by the facings of their own triangles, and marks those with faces.
 #include "methods/silhouette/facing_by_positions.wgsl"
 #include "methods/silhouette_cs/asked.wgsl"
+#include "methods/silhouette_cs/listed.wgsl"
 
 // How many clusters, and their numbers.
 @group(1) @binding(0) var<storage, read> listed: array<u32>;
@@ -8,9 +9,6 @@
 @group(1) @binding(5) var<storage, read> places: array<vec2<u32>>;
 // A bit for each edge of a block.
 @group(1) @binding(7) var<storage, read_write> marks: array<atomic<u32>>;
-
-const EDGES: u32 = 16u;
-const WORKGROUP: u32 = 64u;
 
 fn ask(place: u32) {
     // Where a cluster has fewer, this one has no triangles.
@@ -26,7 +24,7 @@ fn ask(place: u32) {
     }
 }
 
-@compute @workgroup_size(64)
+@compute @workgroup_size(WORKGROUP)
 fn ask_edges(
     @builtin(global_invocation_id) at: vec3<u32>,
     @builtin(num_workgroups) workgroups: vec3<u32>,

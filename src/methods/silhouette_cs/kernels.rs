@@ -13,7 +13,7 @@ use crate::methods::device_edges::{EdgesAndSides, in_order};
 use crate::methods::volume_parameters::FrontCap;
 use wgpu::BufferUsages as Usage;
 
-/// Twin of `EDGES` in ask_clusters.wgsl and ask_edges.wgsl.
+/// Twin of `EDGES` in listed.wgsl.
 const EDGES_A_CLUSTER: usize = 16;
 
 /// How silhouette edges are found.
