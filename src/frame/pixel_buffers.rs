@@ -30,7 +30,8 @@ impl PixelBuffers {
         let row_px = row_px(width);
         let buffer = |what, bytes_per_px: u64| {
             let bytes = bytes_per_px * u64::from(row_px) * u64::from(height);
-            let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST;
+            let copied = wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::COPY_SRC;
+            let usage = wgpu::BufferUsages::STORAGE | copied;
             gpu.empty_buffer(what, bytes, usage)
         };
         Ok(Self {
@@ -61,13 +62,33 @@ impl PixelBuffers {
         copy(encoder, mask, &self.mask, 1);
     }
 
+    /// Brings the copy back.
+    pub(super) fn give_mask(&self, encoder: &mut wgpu::CommandEncoder, mask: &wgpu::Texture) {
+        let from = of_rows(&self.mask, mask, 1);
+        encoder.copy_buffer_to_texture(from, mask.as_image_copy(), mask.size());
+    }
+
+    /// Triangle numbers to be read, the mask to be changed.
+    pub(super) fn for_compute(
+        &self,
+        device: &wgpu::Device,
+    ) -> (wgpu::BindGroupLayout, wgpu::BindGroup) {
+        let stage = wgpu::ShaderStages::COMPUTE;
+        bound(
+            device,
+            stage,
+            [true, false],
+            [&self.triangle_ids, &self.mask],
+        )
+    }
+
     /// Triangle numbers to be read, surfaces and moved depths to be written.
     pub(super) fn for_visible_triangles(
         &self,
         device: &wgpu::Device,
     ) -> (wgpu::BindGroupLayout, wgpu::BindGroup) {
         let buffers = [&self.triangle_ids, &self.surfaces, &self.moved_depths];
-        bound(device, [true, false, false], buffers)
+        bound(device, FRAGMENT, [true, false, false], buffers)
     }
 
     /// Surfaces and moved depths to be read.
@@ -75,7 +96,12 @@ impl PixelBuffers {
         &self,
         device: &wgpu::Device,
     ) -> (wgpu::BindGroupLayout, wgpu::BindGroup) {
-        bound(device, [true; 2], [&self.surfaces, &self.moved_depths])
+        bound(
+            device,
+            FRAGMENT,
+            [true; 2],
+            [&self.surfaces, &self.moved_depths],
+        )
     }
 
     /// The mask and surfaces to be read.
@@ -83,7 +109,7 @@ impl PixelBuffers {
         &self,
         device: &wgpu::Device,
     ) -> (wgpu::BindGroupLayout, wgpu::BindGroup) {
-        bound(device, [true; 2], [&self.mask, &self.surfaces])
+        bound(device, FRAGMENT, [true; 2], [&self.mask, &self.surfaces])
     }
 }
 
@@ -99,25 +125,37 @@ pub(super) fn copy(
     to: &wgpu::Buffer,
     bytes_per_px: u32,
 ) {
-    let to = wgpu::TexelCopyBufferInfo {
-        buffer: to,
-        layout: wgpu::TexelCopyBufferLayout {
-            offset: 0,
-            bytes_per_row: Some(bytes_per_px * row_px(from.width())),
-            rows_per_image: None,
-        },
-    };
+    let to = of_rows(to, from, bytes_per_px);
     encoder.copy_texture_to_buffer(from.as_image_copy(), to, from.size());
 }
 
+/// A buffer that holds a picture of a texture's size.
+fn of_rows<'a>(
+    buffer: &'a wgpu::Buffer,
+    texture: &wgpu::Texture,
+    bytes_per_px: u32,
+) -> wgpu::TexelCopyBufferInfo<'a> {
+    wgpu::TexelCopyBufferInfo {
+        buffer,
+        layout: wgpu::TexelCopyBufferLayout {
+            offset: 0,
+            bytes_per_row: Some(bytes_per_px * row_px(texture.width())),
+            rows_per_image: None,
+        },
+    }
+}
+
+const FRAGMENT: wgpu::ShaderStages = wgpu::ShaderStages::FRAGMENT;
+
 fn bound<const N: usize>(
     device: &wgpu::Device,
+    stages: wgpu::ShaderStages,
     read_only: [bool; N],
     buffers: [&wgpu::Buffer; N],
 ) -> (wgpu::BindGroupLayout, wgpu::BindGroup) {
     let storage = |read_only| buffer_binding(wgpu::BufferBindingType::Storage { read_only });
     let types = read_only.map(storage);
-    let layout = bind_group_layout(device, "pixels", wgpu::ShaderStages::FRAGMENT, &types);
+    let layout = bind_group_layout(device, "pixels", stages, &types);
     let resources = buffers.map(wgpu::Buffer::as_entire_binding);
     let group = bind_group(device, &layout, &resources);
     (layout, group)

@@ -3,7 +3,7 @@
 
 use crate::geometry::{Bounds, EndPlane, EndPlanes, NearVolume};
 use crate::scene::{Light, Mesh, View};
-use glam::{DVec3, DVec4, Mat4};
+use glam::{DVec3, DVec4, Mat4, Vec3};
 
 /// The near rectangle is taken to be larger by this part, more than all rounding.
 const NEAR_MARGIN: f64 = 1e-3;
@@ -59,6 +59,11 @@ pub struct FrameView {
     /// World to clip space with reversed infinite depth. What the device uses has these very bits in
     /// the rows for x, y and w.
     pub view_projection: Mat4,
+    /// Where it is seen from.
+    pub eye: Vec3,
+    /// Maps normalised x and y, with z = 0 and w = 1, to the vector from the eye whose length along the viewing
+    /// direction is 1.
+    pub clip_to_eye_ray: Mat4,
     /// The light.
     pub light: Light,
     /// The planes on which shadow volumes may end.
@@ -85,6 +90,8 @@ impl FrameView {
         let end_planes = EndPlanes::new(extents.scene, light.place, &near_corners);
         Self {
             view_projection,
+            eye: view.eye,
+            clip_to_eye_ray,
             light,
             end_planes,
             end_plane: end_planes.of(extents.all_casters),

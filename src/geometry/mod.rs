@@ -13,6 +13,7 @@ pub mod near_volume;
 pub mod occluded;
 pub mod open_edges;
 mod ray;
+pub mod rays;
 pub mod silhouette;
 pub mod topology;
 

@@ -143,6 +143,9 @@ capabilities! {
                 vec![&mut of.rasterization_order_stencil_attachment_access]
             })
         }));
+    /// Rays traced by any shader through acceleration structures of the device.
+    RayQuery: "ray_query", "ray queries",
+        Wgpu(wgpu::Features::EXPERIMENTAL_RAY_QUERY);
 }
 
 impl Serialize for Capability {

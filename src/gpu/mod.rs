@@ -10,6 +10,7 @@
 //! a compute pass and draws them natively needs no word about any of this; its time on the device and on the processor
 //! is told apart in [`FrameTimes`].
 
+pub mod acceleration;
 mod adapter;
 mod capability;
 mod depth;

@@ -161,13 +161,33 @@ impl Stage<'_, '_> {
         self.read_back(&resolved, 0..size)
     }
 
-    /// The texels of a 2D texture with `COPY_SRC` as they are at this point of the frame, rows from the top, tightly
+    /// The texels of 2D textures with `COPY_SRC` as they are at this point of the frame, rows from the top, tightly
     /// packed: what was recorded so far is submitted, and the processor waits for it. Waiting is on neither clock;
     /// the device's work and the copy to where the texels can be read are.
     ///
     /// # Errors
     /// When the device is lost, or has no memory for the texels.
-    pub fn read_now(&mut self, texture: &wgpu::Texture) -> anyhow::Result<Vec<u8>> {
+    pub fn read_now<const N: usize>(
+        &mut self,
+        textures: [&wgpu::Texture; N],
+    ) -> anyhow::Result<[Vec<u8>; N]> {
+        let asked: Vec<_> = textures
+            .into_iter()
+            .map(|texture| self.ask_for(texture))
+            .collect::<Result<_, _>>()?;
+        let gpu = self.frame.gpu;
+        self.frame.submit_part();
+        self.frame.wait(Gpu::wait_idle);
+        self.frame.on_processor(|| {
+            let mut texels = [const { Vec::new() }; N];
+            for (texels, (ticket, rows)) in texels.iter_mut().zip(asked) {
+                *texels = rows.pack(&ticket.wait(gpu)?);
+            }
+            Ok(texels)
+        })
+    }
+
+    fn ask_for(&mut self, texture: &wgpu::Texture) -> anyhow::Result<(Ticket, readback::Rows)> {
         let gpu = self.frame.gpu;
         let rows = readback::Rows::of(texture, wgpu::TextureAspect::All)?;
         gpu.check_buffer(
@@ -182,10 +202,7 @@ impl Stage<'_, '_> {
             };
             encoder.copy_texture_to_buffer(texture.as_image_copy(), into, texture.size());
         });
-        self.frame.submit_part();
-        self.frame.wait(Gpu::wait_idle);
-        self.frame
-            .on_processor(|| Ok(rows.pack(&ticket.wait(gpu)?)))
+        Ok((ticket, rows))
     }
 
     /// The answer of a ticket of an earlier frame, for which the processor waits if it has to. Waiting is on neither

@@ -1,5 +1,6 @@
 //! The triangles that cast shadows in a scene, and what methods derive from them.
 
+use crate::geometry::rays::RayTree;
 use crate::geometry::{EdgeTriangles, OpenEdges, Topology, occluded};
 use crate::scene::{Mesh, Scene};
 use glam::Vec4;
@@ -13,6 +14,7 @@ pub struct Casters {
     /// The scene's objects, each with those of its triangles that cast.
     pub mesh: Arc<Mesh>,
     topology: OnceCell<Rc<Topology>>,
+    ray_tree: OnceCell<Rc<RayTree>>,
     edge_triangles: OnceCell<Rc<EdgeTriangles>>,
     open_edges: OnceCell<Rc<OpenEdges>>,
     /// See [`Self::are_closed`].
@@ -36,6 +38,7 @@ impl Casters {
         Self {
             mesh,
             topology: OnceCell::new(),
+            ray_tree: OnceCell::new(),
             edge_triangles: OnceCell::new(),
             open_edges: OnceCell::new(),
             are_closed: OnceCell::new(),
@@ -60,6 +63,12 @@ impl Casters {
     pub fn topology(&self) -> &Rc<Topology> {
         let build = || Rc::new(Topology::build(&self.mesh));
         self.topology.get_or_init(build)
+    }
+
+    /// What shadow rays are followed through.
+    pub fn ray_tree(&self) -> &Rc<RayTree> {
+        let build = || Rc::new(RayTree::new(&self.mesh));
+        self.ray_tree.get_or_init(build)
     }
 
     /// The triangles of these edges.

@@ -3,8 +3,8 @@
 use super::parameters::{Parameter, ParameterError, configure};
 use super::{MethodInfo, ShadowMethod};
 use super::{
-    cube_shadow_map, shadow_map, silhouette_cpu, silhouette_cs, silhouette_gs, silhouette_ms,
-    silhouette_ts, silhouette_vs, triangle_gs, triangle_ts,
+    cube_shadow_map, ray_compute, ray_cpu, ray_query, shadow_map, silhouette_cpu, silhouette_cs,
+    silhouette_gs, silhouette_ms, silhouette_ts, silhouette_vs, triangle_gs, triangle_ts,
 };
 use crate::toml_error;
 use crate::variant::{Variant, VariantError};
@@ -65,6 +65,9 @@ impl Registry {
             .with::<silhouette_vs::SilhouetteVs>()
             .with::<triangle_ts::TriangleTs>()
             .with::<triangle_gs::TriangleGs>()
+            .with::<ray_query::RayQuery>()
+            .with::<ray_compute::RayCompute>()
+            .with::<ray_cpu::RayCpu>()
             .with::<shadow_map::ShadowMap>()
             .with::<cube_shadow_map::CubeShadowMap>()
     }

@@ -100,6 +100,33 @@ fn outside_spheres(random: &mut impl Rng, low: Vec3, high: Vec3) -> Vec3 {
     }
 }
 
+/// A view and a light at the 10 × 10 grid; of `path` the way in which it is seen.
+pub(crate) fn random_shot(random: &mut impl Rng, path: View) -> Moment {
+    let eye = outside_spheres(
+        random,
+        Vec3::new(-25.0, 0.3, -25.0),
+        Vec3::new(25.0, 15.0, 25.0),
+    );
+    let target = point(
+        random,
+        Vec3::new(-10.0, 0.0, -10.0),
+        Vec3::new(10.0, 2.0, 10.0),
+    );
+    let light = outside_spheres(
+        random,
+        Vec3::new(-15.0, 0.1, -15.0),
+        Vec3::new(15.0, 30.0, 15.0),
+    );
+    Moment {
+        view: View {
+            eye,
+            target,
+            ..path
+        },
+        light: Light::at(light.extend(1.0)),
+    }
+}
+
 fn sphere_grid_has_no_artifacts(slices: u32) {
     let plan = find_scene("sphere_grid", Path::new("")).unwrap();
     let file = plan
@@ -108,36 +135,13 @@ fn sphere_grid_has_no_artifacts(slices: u32) {
         .unwrap();
     let scene = file.load(&plan.search).unwrap();
     let path = scene.flight.at(0.0).view;
-    let shot = |random: &mut ChaCha8Rng| {
-        let eye = outside_spheres(
-            random,
-            Vec3::new(-25.0, 0.3, -25.0),
-            Vec3::new(25.0, 15.0, 25.0),
-        );
-        let target = point(
-            random,
-            Vec3::new(-10.0, 0.0, -10.0),
-            Vec3::new(10.0, 2.0, 10.0),
-        );
-        let light = outside_spheres(
-            random,
-            Vec3::new(-15.0, 0.1, -15.0),
-            Vec3::new(15.0, 30.0, 15.0),
-        );
-        Moment {
-            view: View {
-                eye,
-                target,
-                ..path
-            },
-            light: Light::at(light.extend(1.0)),
-        }
-    };
     let shots: Vec<_> = SEEDS
         .into_iter()
         .flat_map(|seed| {
             let mut random = ChaCha8Rng::seed_from_u64(seed);
-            (0..SHOTS).map(|_| shot(&mut random)).collect::<Vec<_>>()
+            (0..SHOTS)
+                .map(|_| random_shot(&mut random, path))
+                .collect::<Vec<_>>()
         })
         .collect();
     let device = device();

@@ -130,7 +130,7 @@ struct ReadsIds;
 impl PreparedMethod for ReadsIds {
     fn record(&mut self, frame: &mut Frame<'_>) -> anyhow::Result<()> {
         let targets = frame.targets();
-        let ids = frame.stage("ids", |stage| stage.read_now(&targets.triangle_ids))?;
+        let [ids] = frame.stage("ids", |stage| stage.read_now([&targets.triangle_ids]))?;
         frame.stage("answer", |stage| {
             let mask: Vec<_> = stage.on_processor(|| {
                 std::thread::sleep(WORK);

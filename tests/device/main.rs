@@ -16,6 +16,7 @@ mod methods;
 mod minimise;
 mod moving_light;
 mod plan;
+mod rays;
 mod regression;
 mod silhouette_cpu;
 mod silhouette_cs;

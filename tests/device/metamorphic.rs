@@ -14,13 +14,14 @@ use svbench::stress::metamorphic::Original;
 use svbench::stress::{Change, Changed, damage, metamorphic, random};
 
 const SIZE_PX: (u32, u32) = (160, 120);
-const METHODS: [&str; 6] = [
+const METHODS: [&str; 7] = [
     "silhouette_ts",
     "silhouette_gs",
     "triangle_ts",
     "triangle_gs",
     "silhouette_gs,counting=auto",
     "silhouette_cpu",
+    "ray_cpu",
 ];
 
 fn methods(ids: &[&str]) -> Vec<Box<dyn ShadowMethod>> {

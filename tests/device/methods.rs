@@ -356,6 +356,9 @@ fn a_square_casts_the_shadow_that_geometry_says() {
         ("triangle_ts", 1.0),
         ("triangle_ts,passes=1", 1.0),
         ("triangle_gs", 1.0),
+        ("ray_query", 1.0),
+        ("ray_compute", 1.0),
+        ("ray_cpu", 1.0),
         ("shadow_map,resolution=4096", 2.0),
         ("cube_shadow_map,resolution=4096", 2.0),
     ] {

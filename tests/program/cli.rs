@@ -484,6 +484,9 @@ fn lists_say_what_can_run_here() {
             "silhouette_vs",
             "triangle_ts",
             "triangle_gs",
+            "ray_query",
+            "ray_compute",
+            "ray_cpu",
             "shadow_map",
             "cube_shadow_map"
         ]

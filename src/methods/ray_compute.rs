@@ -1,0 +1,87 @@
+//! Shadow rays in a compute shader, a pixel each, through a tree with four boxes a node: for devices without ray queries.
+
+use super::{MethodError, MethodInfo, PrepareContext, ShadowMethod, ray_limits};
+use crate::frame::fullscreen::buffer_binding;
+use crate::frame::{Frame, PixelCompute, PixelKernel, PreparedMethod};
+use crate::geometry::rays::RayTree;
+use crate::gpu::shader;
+use std::rc::Rc;
+
+/// What the method is.
+pub(super) static INFO: MethodInfo = MethodInfo {
+    id: "ray_compute",
+    title: "shadow rays in a compute shader",
+    source: "any-hit traversal of a wide hierarchy, Wald, Benthin and Boulos 2008",
+    needs: &[],
+    limits: &[ray_limits::LIMITS],
+    clashes: &[],
+    tolerated_share: 0.0,
+};
+
+/// How many nodes may wait in the shader. Trees of a million triangles need some thirty.
+const STACK: usize = 64;
+
+crate::parameters! {
+    /// The method with its parameters.
+    pub(super) struct RayCompute {}
+}
+
+impl ShadowMethod for RayCompute {
+    fn info(&self) -> &'static MethodInfo {
+        &INFO
+    }
+
+    fn prepare(
+        &self,
+        context: &PrepareContext<'_>,
+    ) -> Result<Box<dyn PreparedMethod>, MethodError> {
+        Ok(Box::new(Prepared::new(context)?))
+    }
+}
+
+/// The rays of one scene.
+struct Prepared {
+    tree: Rc<RayTree>,
+    rays: PixelCompute,
+}
+
+impl Prepared {
+    fn new(context: &PrepareContext<'_>) -> Result<Self, MethodError> {
+        let PrepareContext { gpu, resources, .. } = *context;
+        let tree = Rc::clone(context.casters.ray_tree());
+        if tree.stack > STACK {
+            let reason = "its boxes are nested too deeply to be followed in a shader";
+            return Err(MethodError::Unavailable(reason.to_owned()));
+        }
+        let buffer = |label, bytes| gpu.buffer(label, bytes, wgpu::BufferUsages::STORAGE);
+        let nodes = buffer("a tree of boxes", bytemuck::cast_slice(&tree.nodes))?;
+        let triangles = buffer("its triangles", bytemuck::cast_slice(&tree.triangles))?;
+        let module = shader::wgsl(&gpu.device, "methods/ray_compute/rays.wgsl");
+        let scene = &resources.scene;
+        let read = buffer_binding(wgpu::BufferBindingType::Storage { read_only: true });
+        let buffers = [&scene.positions, &scene.indices, &nodes, &triangles];
+        let inputs = buffers.map(|buffer| (read, buffer.as_entire_binding()));
+        let kernel = PixelKernel {
+            module: &module,
+            entry: "trace",
+            constants: &[],
+            inputs: &inputs,
+        };
+        Ok(Self {
+            rays: PixelCompute::new(&gpu.device, resources, &kernel),
+            tree,
+        })
+    }
+}
+
+impl PreparedMethod for Prepared {
+    fn record(&mut self, frame: &mut Frame<'_>) -> anyhow::Result<()> {
+        let resources = frame.resources();
+        frame.stage("rays", |stage| self.rays.record(stage, resources));
+        Ok(())
+    }
+
+    fn counters(&self) -> Vec<(&'static str, u64)> {
+        self.tree.counters()
+    }
+}

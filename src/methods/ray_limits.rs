@@ -1,0 +1,25 @@
+//! What shadow rays cannot do, however they are traced.
+
+use super::{Bound, Limit};
+
+/// What single precision leaves.
+pub(super) const LIMITS: &[Limit] = &[
+    Limit {
+        text: "points of surfaces are found in 32-bit floats, as parts of the triangle: what is nearer to it than a \
+               three-millionth of its size touches it and does not shadow it, and coordinates a million times as large as \
+               what the picture shows are wrong",
+        with: &[],
+        unless: &[],
+        fails: &[("large_triangles", 3.0), ("translation", 5.0)],
+        kinds: &[],
+        at_most: Bound::Share(0.1),
+    },
+    Limit {
+        text: "a light nearer to an edge than ten millionths of its distance: single pixels on surfaces that it grazes",
+        with: &[],
+        unless: &[],
+        fails: &[("light_near_edge", 7.0)],
+        kinds: &[],
+        at_most: Bound::Px(5),
+    },
+];

@@ -1,0 +1,137 @@
+//! Shadow rays through the device's own acceleration structure, a pixel each: what hardware for ray tracing does.
+
+use super::{Bound, Limit, MethodError, MethodInfo, PrepareContext, ShadowMethod, ray_limits};
+use crate::frame::fullscreen::buffer_binding;
+use crate::frame::{Frame, PixelCompute, PixelKernel, PreparedMethod};
+use crate::gpu::{Capability, acceleration, shader};
+use serde::{Deserialize, Serialize};
+use std::time::Instant;
+
+/// What the method is.
+pub(super) static INFO: MethodInfo = MethodInfo {
+    id: "ray_query",
+    title: "shadow rays by the device's ray queries",
+    source: "Whitted 1980; Vulkan's ray queries",
+    needs: &[Capability::RayQuery],
+    limits: &[
+        ray_limits::LIMITS,
+        &[Limit {
+            text: "the device's arithmetic starts from points that are rounded: single pixels are wrong where the light \
+               grazes a surface",
+            with: &[],
+            unless: &[("primitives", "boxes")],
+            fails: &[],
+            kinds: &[],
+            at_most: Bound::Px(2),
+        }],
+    ],
+    clashes: &[],
+    tolerated_share: 0.0,
+};
+
+/// What the device's structure holds.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+enum Primitives {
+    /// Triangles: the device finds which of them a ray meets.
+    #[default]
+    Triangles,
+    /// A box around each: the device finds which boxes a ray meets, and the shader which triangles.
+    Boxes,
+}
+
+/// The device finds what a ray meets by an arithmetic of its own, watertight where neighbours meet, from a point that is
+/// rounded. By so much of their distance may a triangle be missed and still count as met.
+const SLACK: f64 = 1.0 / (1 << 22) as f64;
+
+crate::parameters! {
+    /// The method with its parameters.
+    pub(super) struct RayQuery {
+        primitives: Primitives = Primitives::default(), "what the device finds that a ray meets: triangles, or boxes around them";
+    }
+}
+
+impl ShadowMethod for RayQuery {
+    fn info(&self) -> &'static MethodInfo {
+        &INFO
+    }
+
+    fn prepare(
+        &self,
+        context: &PrepareContext<'_>,
+    ) -> Result<Box<dyn PreparedMethod>, MethodError> {
+        Ok(Box::new(Prepared::new(context, self.primitives)?))
+    }
+}
+
+/// The rays of one scene.
+struct Prepared {
+    /// `None` where nothing casts: a structure cannot be empty.
+    rays: Option<PixelCompute>,
+    build_us: u64,
+}
+
+impl Prepared {
+    fn new(context: &PrepareContext<'_>, primitives: Primitives) -> Result<Self, MethodError> {
+        let PrepareContext { gpu, resources, .. } = *context;
+        let tree = context.casters.ray_tree();
+        if tree.triangles.is_empty() {
+            return Ok(Self {
+                rays: None,
+                build_us: 0,
+            });
+        }
+        let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::BLAS_INPUT;
+        let corners = bytemuck::cast_slice(&tree.triangles);
+        let casters = gpu.buffer("the triangles that cast", corners, usage)?;
+        let begin = Instant::now();
+        let count = tree.triangles.len() as u32;
+        let (structure, slack) = match primitives {
+            Primitives::Triangles => (acceleration::of_triangles(gpu, &casters, count)?, SLACK),
+            Primitives::Boxes => {
+                let boxes = tree.boxes();
+                let boxes = bytemuck::cast_slice(&boxes);
+                let boxes = gpu.buffer("boxes", boxes, wgpu::BufferUsages::BLAS_INPUT)?;
+                (acceleration::of_boxes(gpu, &boxes, count)?, 0.0)
+            }
+        };
+        let build_us = begin.elapsed().as_micros() as u64;
+        let module = shader::wgsl(&gpu.device, "methods/ray_query/rays.wgsl");
+        let scene = &resources.scene;
+        let read = buffer_binding(wgpu::BufferBindingType::Storage { read_only: true });
+        let [positions, indices, corners] = [&scene.positions, &scene.indices, &casters]
+            .map(|buffer| (read, buffer.as_entire_binding()));
+        let of_structure = wgpu::BindingType::AccelerationStructure {
+            vertex_return: false,
+        };
+        let kernel = PixelKernel {
+            module: &module,
+            entry: "trace",
+            constants: &[("slack", slack)],
+            inputs: &[
+                positions,
+                indices,
+                corners,
+                (of_structure, structure.as_binding()),
+            ],
+        };
+        Ok(Self {
+            rays: Some(PixelCompute::new(&gpu.device, resources, &kernel)),
+            build_us,
+        })
+    }
+}
+
+impl PreparedMethod for Prepared {
+    fn record(&mut self, frame: &mut Frame<'_>) -> anyhow::Result<()> {
+        let resources = frame.resources();
+        if let Some(rays) = &self.rays {
+            frame.stage("rays", |stage| rays.record(stage, resources));
+        }
+        Ok(())
+    }
+
+    fn counters(&self) -> Vec<(&'static str, u64)> {
+        vec![("acceleration_structure_us", self.build_us)]
+    }
+}
