@@ -43,7 +43,29 @@ fn spelled_dot(x: vec3<f32>, y: vec3<f32>) -> f32 {
 // How far beside a light plane a point lies, given the normal and the vector from the plane; `slack` is a part of that
 // vector that does not count.
 fn beside(normal: vec3<f32>, way: vec3<f32>, slack: f32) -> f32 {
-    return spelled_dot(normal, way) - slack * length(normal) * length(way);
+    let distance = spelled_dot(normal, way);
+    // The lengths of large vectors overflow.
+    if slack == 0.0 {
+        return distance;
+    }
+    return distance - slack * length(normal) * length(way);
+}
+
+// The normal of a triangle, times twice its area, from its two shorter sides.
+fn shape_normal(a: vec3<f32>, b: vec3<f32>, c: vec3<f32>) -> vec3<f32> {
+    let ab = b - a;
+    let bc = c - b;
+    let ca = a - c;
+    let of_ab = dot(ab, ab);
+    let of_bc = dot(bc, bc);
+    let of_ca = dot(ca, ca);
+    if of_ab >= max(of_bc, of_ca) {
+        return spelled_cross(bc, ca);
+    }
+    if of_bc >= of_ca {
+        return spelled_cross(ca, ab);
+    }
+    return spelled_cross(ab, bc);
 }
 
 // Points so far beside a triangle are taken to be within: `slack` is a part of their distance from it.
@@ -59,7 +81,7 @@ fn blocks(caster: Caster, light: vec4<f32>, point: SurfacePoint, slack: f32) -> 
     let side = select(sign, 0.0, all(a == b) || all(b == c));
     let of_ab = spelled_cross(b - a, to_light);
     let of_bc = spelled_cross(c - b, light.xyz - b * light.w);
-    let own = spelled_cross(b - a, c - a);
+    let own = shape_normal(a, b, c);
     let from_a = from_to(a, point);
     let from_b = from_to(b, point);
     let ab = beside(side * of_ab, from_a, slack);

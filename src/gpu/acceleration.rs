@@ -39,7 +39,8 @@ pub fn of_triangles(
         transform_buffer_offset: None,
     };
     let geometry = wgpu::BlasGeometries::TriangleGeometries(vec![geometry]);
-    build(gpu, count, sizes, geometry)
+    // wgpu holds the corners of triangles against the limit.
+    build(gpu, 3 * u64::from(count), sizes, geometry)
 }
 
 /// Builds one over so many boxes, one at least: six numbers each. The buffer has `BLAS_INPUT`.
@@ -61,21 +62,21 @@ pub fn of_boxes(gpu: &Gpu, boxes: &wgpu::Buffer, count: u32) -> Result<wgpu::Tla
         primitive_offset: 0,
     };
     let geometry = wgpu::BlasGeometries::AabbGeometries(vec![geometry]);
-    build(gpu, count, sizes, geometry)
+    build(gpu, u64::from(count), sizes, geometry)
 }
 
 /// Builds it, and waits until it is there.
 fn build(
     gpu: &Gpu,
-    count: u32,
+    elements: u64,
     sizes: wgpu::BlasGeometrySizeDescriptors,
     geometry: wgpu::BlasGeometries<'_>,
 ) -> Result<wgpu::Tlas, DeviceError> {
     const AS_IT_IS: [f32; 12] = [1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0];
     let most = gpu.device.limits().max_blas_primitive_count;
-    if count > most {
+    if elements > u64::from(most) {
         return Err(DeviceError::TooLarge(format!(
-            "{count} triangles are more than the {most} that this device traces rays through"
+            "{elements} corners or boxes are more than the {most} that this device traces rays through"
         )));
     }
     let flags = wgpu::AccelerationStructureFlags::PREFER_FAST_TRACE;

@@ -1,6 +1,6 @@
 //! Shadow rays in a compute shader, a pixel each, through a tree with four boxes a node: for devices without ray queries.
 
-use super::{MethodError, MethodInfo, PrepareContext, ShadowMethod, ray_limits};
+use super::{Limit, MethodError, MethodInfo, PrepareContext, ShadowMethod, ray_limits};
 use crate::frame::fullscreen::buffer_binding;
 use crate::frame::{Frame, PixelCompute, PixelKernel, PreparedMethod};
 use crate::geometry::rays::RayTree;
@@ -13,12 +13,17 @@ pub(super) static INFO: MethodInfo = MethodInfo {
     title: "shadow rays in a compute shader",
     source: "any-hit traversal of a wide hierarchy, Wald, Benthin and Boulos 2008",
     needs: &[],
-    limits: &[ray_limits::LIMITS],
+    limits: &[
+        ray_limits::LIMITS,
+        &[Limit::in_words(
+            "boxes nested in each other twenty deep and more, at which a tree needs more room than the shader has: unavailable",
+        )],
+    ],
     clashes: &[],
     tolerated_share: 0.0,
 };
 
-/// How many nodes may wait in the shader. Trees of a million triangles need some thirty.
+/// How many nodes may wait in the shader; trees of a million triangles need some thirty.
 const STACK: usize = 64;
 
 crate::parameters! {
@@ -42,7 +47,8 @@ impl ShadowMethod for RayCompute {
 /// The rays of one scene.
 struct Prepared {
     tree: Rc<RayTree>,
-    rays: PixelCompute,
+    /// `None` where nothing casts: a buffer has an element at least.
+    rays: Option<PixelCompute>,
 }
 
 impl Prepared {
@@ -52,6 +58,9 @@ impl Prepared {
         if tree.stack > STACK {
             let reason = "its boxes are nested too deeply to be followed in a shader";
             return Err(MethodError::Unavailable(reason.to_owned()));
+        }
+        if tree.triangles.is_empty() {
+            return Ok(Self { tree, rays: None });
         }
         let buffer = |label, bytes| gpu.buffer(label, bytes, wgpu::BufferUsages::STORAGE);
         let nodes = buffer("a tree of boxes", bytemuck::cast_slice(&tree.nodes))?;
@@ -68,7 +77,7 @@ impl Prepared {
             inputs: &inputs,
         };
         Ok(Self {
-            rays: PixelCompute::new(&gpu.device, resources, &kernel),
+            rays: Some(PixelCompute::new(&gpu.device, resources, &kernel)),
             tree,
         })
     }
@@ -77,7 +86,9 @@ impl Prepared {
 impl PreparedMethod for Prepared {
     fn record(&mut self, frame: &mut Frame<'_>) -> anyhow::Result<()> {
         let resources = frame.resources();
-        frame.stage("rays", |stage| self.rays.record(stage, resources));
+        if let Some(rays) = &self.rays {
+            frame.stage("rays", |stage| rays.record(stage, resources));
+        }
         Ok(())
     }
 

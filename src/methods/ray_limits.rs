@@ -6,11 +6,11 @@ use super::{Bound, Limit};
 pub(super) const LIMITS: &[Limit] = &[
     Limit {
         text: "points of surfaces are found in 32-bit floats, as parts of the triangle: what is nearer to it than a \
-               three-millionth of its size touches it and does not shadow it, and coordinates a million times as large as \
+               millionth of the size of both touches it and does not shadow it, and coordinates a million times as large as \
                what the picture shows are wrong",
         with: &[],
         unless: &[],
-        fails: &[("large_triangles", 3.0), ("translation", 5.0)],
+        fails: &[("large_triangles", 5.0), ("translation", 6.0)],
         kinds: &[],
         at_most: Bound::Share(0.1),
     },

@@ -3,7 +3,10 @@
 use super::{Bound, Limit, MethodError, MethodInfo, PrepareContext, ShadowMethod, ray_limits};
 use crate::frame::fullscreen::buffer_binding;
 use crate::frame::{Frame, PixelCompute, PixelKernel, PreparedMethod};
+use crate::geometry::rays::{boxes, casters};
 use crate::gpu::{Capability, acceleration, shader};
+use crate::metrics::Label;
+use obvhs::aabb::Aabb;
 use serde::{Deserialize, Serialize};
 use std::time::Instant;
 
@@ -20,9 +23,9 @@ pub(super) static INFO: MethodInfo = MethodInfo {
                grazes a surface",
             with: &[],
             unless: &[("primitives", "boxes")],
-            fails: &[],
-            kinds: &[],
-            at_most: Bound::Px(2),
+            fails: &[("translation", 5.0)],
+            kinds: &[Label::Grazing, Label::Seam, Label::Unlabelled],
+            at_most: Bound::Px(5),
         }],
     ],
     clashes: &[],
@@ -41,7 +44,8 @@ enum Primitives {
 }
 
 /// The device finds what a ray meets by an arithmetic of its own, watertight where neighbours meet, from a point that is
-/// rounded. By so much of their distance may a triangle be missed and still count as met.
+/// rounded. So much of its distance from a triangle may a point lie beside it and still be within, for the shader: more
+/// would let convex neighbours shadow each other, and less would lose what the device alone has met.
 const SLACK: f64 = 1.0 / (1 << 22) as f64;
 
 crate::parameters! {
@@ -74,22 +78,24 @@ struct Prepared {
 impl Prepared {
     fn new(context: &PrepareContext<'_>, primitives: Primitives) -> Result<Self, MethodError> {
         let PrepareContext { gpu, resources, .. } = *context;
-        let tree = context.casters.ray_tree();
-        if tree.triangles.is_empty() {
+        let mesh = &context.scene.mesh;
+        let triangles = casters(mesh);
+        if triangles.is_empty() {
             return Ok(Self {
                 rays: None,
                 build_us: 0,
             });
         }
-        let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::BLAS_INPUT;
-        let corners = bytemuck::cast_slice(&tree.triangles);
-        let casters = gpu.buffer("the triangles that cast", corners, usage)?;
         let begin = Instant::now();
-        let count = tree.triangles.len() as u32;
+        let count = triangles.len() as u32;
+        let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::BLAS_INPUT;
+        let corners = bytemuck::cast_slice(&triangles);
+        let casters = gpu.buffer("the triangles that cast", corners, usage)?;
         let (structure, slack) = match primitives {
             Primitives::Triangles => (acceleration::of_triangles(gpu, &casters, count)?, SLACK),
             Primitives::Boxes => {
-                let boxes = tree.boxes();
+                let ends = |of: &Aabb| [of.min.to_array(), of.max.to_array()];
+                let boxes: Vec<_> = boxes(mesh, &triangles).iter().map(ends).collect();
                 let boxes = bytemuck::cast_slice(&boxes);
                 let boxes = gpu.buffer("boxes", boxes, wgpu::BufferUsages::BLAS_INPUT)?;
                 (acceleration::of_boxes(gpu, &boxes, count)?, 0.0)

@@ -25,8 +25,9 @@ const STACK: u32 = 64u;
 const LEAF: u32 = 1u << 31u;
 const FIRST_BITS: u32 = 28u;
 
-// Boxes that touch a slab's border must not meet 0 × ∞: directions are at least so far from 0.
-const LEAST_DIRECTION: f32 = 1e-30;
+// Boxes that touch a slab's border must not meet 0 × ∞: directions are at least so far from 0 that a coordinate by them is
+// finite.
+const LEAST_DIRECTION: f32 = 1e-28;
 
 fn is_leaf_blocking(child: u32, point: SurfacePoint) -> bool {
     let first = child & ((1u << FIRST_BITS) - 1u);

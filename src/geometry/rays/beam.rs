@@ -232,7 +232,7 @@ impl Axis {
                 (low * least).max(low * most),
             )
         } else {
-            // Nothing is known of when, but whoever begins beside them and goes away never does.
+            // They go either way, or across: nothing is known.
             (-far, far)
         }
     }

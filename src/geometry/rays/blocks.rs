@@ -3,8 +3,8 @@
 //! The line from the light through the point passes between the three light planes of the triangle, and the triangle's
 //! plane lies between light and point. On which side of a light plane a point lies is the same question as which way a
 //! triangle faces (see [`facing`](crate::geometry::facing())): it is asked of the edge from its smaller to its larger
-//! vertex, in the same arithmetic for both triangles of an edge, so that no point passes between two neighbours. Points
-//! on a light plane are on both sides of it.
+//! vertex, in the same arithmetic for both triangles of an edge, so that no light passes between two neighbours. Points
+//! on a light plane are on both sides of it. (Only through a vertex, in the last bits: the edges there round each for itself.)
 //!
 //! A triangle that the light sees edge-on blocks nothing, as it has no shadow volume. And none blocks the light of what
 //! it touches: a point is in contact with a triangle where rounding could have moved it from one side of its plane to the
@@ -17,7 +17,7 @@
 //!
 //! `shaders/shared/blocks.wgsl` is the twin of this file.
 
-use super::triangle::{ROUNDING, RayTriangle, cross};
+use super::triangle::{ROUNDING, RayTriangle, cross, normal};
 use glam::{Vec3, Vec4};
 
 /// What roundings move a point by, as a part of the longer side of its own triangle: those of both sides, their weights,
@@ -104,7 +104,7 @@ impl Blocker {
     /// Normal of the triangle, towards the light.
     #[inline(always)]
     pub fn own(&self) -> Vec3 {
-        self.side * cross(self.b - self.a, self.c - self.a)
+        self.side * normal([self.a, self.b, self.c])
     }
 
     /// Whether it blocks the light of a point.

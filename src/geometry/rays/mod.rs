@@ -15,7 +15,7 @@ mod vectors;
 
 pub use blocks::{Blocker, SurfacePoint};
 pub use picture::Picture;
-pub use tree::{Node, RayTree};
+pub use tree::{Node, RayTree, boxes, casters};
 pub use triangle::RayTriangle;
 
 #[cfg(test)]

@@ -27,11 +27,12 @@ impl Picture {
     /// not asked. `triangle_ids` has a number for each pixel: that of its triangle plus 1, or 0.
     ///
     /// # Panics
-    /// When the number of pixels is not that of the picture, or a triangle is none of the mesh.
+    /// When the number of pixels is not that of the picture, it is wider than 65,536, or a triangle is none of the mesh.
     pub fn add_shadows(&self, mesh: &Mesh, tree: &RayTree, triangle_ids: &[u32], mask: &mut [u8]) {
         let [width, height] = self.size_px;
         assert_eq!(triangle_ids.len(), width * height, "a triangle a pixel");
         assert_eq!(mask.len(), width * height, "a byte a pixel");
+        assert!(width <= 1 << 16, "columns are numbers of 16 bits");
         let scene = Scene {
             picture: self,
             mesh,

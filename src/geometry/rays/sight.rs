@@ -2,8 +2,8 @@
 
 use glam::Vec3;
 
-/// The point of a triangle's edges nearest to a line of sight, by the angle between them as the eye sees it, as weights of
-/// the second and the third corner.
+/// The point of a triangle's edges nearest to a line of sight, as weights of the second and the third corner: of the points
+/// of each edge that are nearest to it in space, the one that is nearest as the eye sees it.
 ///
 /// A rasteriser moves corners a little, so a pixel may show a triangle that its centre just misses. Where its *plane* meets
 /// the line may be anywhere when it is seen nearly edge-on. `shaders/shared/point_seen.wgsl` has the twin.

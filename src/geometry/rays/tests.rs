@@ -230,6 +230,46 @@ proptest! {
     }
 }
 
+/// An open sheet far from the origin, of triangles that meet in thousands of edges: rays through them all find one.
+#[test]
+fn a_sheet_far_away_has_no_gaps() {
+    const SIDE: usize = 60;
+    let middle = Vec3::new(700.0, 1.0, -900.0);
+    let at = |i: usize, j: usize| {
+        let height = 0.01 * ((i * 7 + j * 13) % 11) as f32;
+        middle + Vec3::new(i as f32 / 20.0 - 1.5, height, j as f32 / 20.0 - 1.5)
+    };
+    let cells = (0..SIDE * SIDE).map(|cell| (cell % SIDE, cell / SIDE));
+    let mut triangles: Vec<_> = cells
+        .flat_map(|(i, j)| {
+            let [a, b, c, d] = [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)];
+            [[a, b, c], [a, c, d]]
+        })
+        .collect();
+    let ground = middle - Vec3::Y;
+    triangles.extend(square(ground, 4.0));
+    let casting = triangles.len() - 2;
+    let mesh = mesh(&triangles, |number| number < casting);
+    let tree = RayTree::new(&mesh);
+    let light = (ground + Vec3::new(0.3, 9.0, -0.2)).extend(1.0);
+    let level = from_above(8.0, light);
+    let picture = Picture {
+        size_px: [640, 480],
+        eye: level.eye + ground,
+        ..level
+    };
+    let id = |pixel: usize| {
+        let (x, z) = (pixel % 640, pixel / 640);
+        let is_first = x as f32 - 320.0 < z as f32 - 240.0;
+        casting as u32 + if is_first { 1 } else { 2 }
+    };
+    let ids: Vec<_> = (0..640 * 480).map(id).collect();
+    let mut mask = vec![0; ids.len()];
+    picture.add_shadows(&mesh, &tree, &ids, &mut mask);
+    let lit = mask.iter().filter(|pixel| **pixel == 0).count();
+    assert_eq!(lit, 0, "pixels lit through the sheet");
+}
+
 #[test]
 fn a_tree_has_every_caster_once_and_says_how_much_may_wait() {
     let grid = crate::scene::sphere_grid::SphereGrid {

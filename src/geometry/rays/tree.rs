@@ -5,12 +5,14 @@ use crate::geometry::box_tree;
 use crate::scene::Mesh;
 use bytemuck::{Pod, Zeroable};
 use glam::Vec3;
+use obvhs::aabb::Aabb;
 use obvhs::bvh2::Bvh2;
 use std::time::Instant;
 
 /// How far boxes are inflated, relative to the largest coordinate M of the scene. Where rays meet a slab is found from
-/// rounded products with the inverse of their direction, as if the slab had moved by 8 M u, and what a test takes to be
-/// within a triangle may lie as far beside it; u = 2^-24. This is twice both.
+/// rounded products with the inverse of their direction, as if the slab had moved by 8 M u, where u = 2^-24; and what a test
+/// takes to be within a triangle may lie as far beside it as a few M u by the sine of the angle between edge and light. This
+/// is 32 M u, enough for edges that do not point at the light.
 const INFLATION: f32 = 1.0 / (1 << 19) as f32;
 
 /// Boxes of a node.
@@ -50,9 +52,7 @@ pub struct RayTree {
     pub nodes: Vec<Node>,
     /// In the order of leaves.
     pub triangles: Vec<RayTriangle>,
-    /// How much larger boxes are than what is in them.
-    margin: f32,
-    /// How many children of nodes may have to wait at once while a ray is followed.
+    /// How many nodes may have to wait at once while a ray is followed.
     pub stack: usize,
     /// Microseconds that it took to build.
     build_us: u64,
@@ -62,16 +62,8 @@ impl RayTree {
     /// Over the triangles of a mesh that cast.
     pub fn new(mesh: &Mesh) -> Self {
         let begin = Instant::now();
-        let scale = mesh.positions.iter().fold(0f32, |scale, position| {
-            scale.max(position.abs().max_element())
-        });
-        let numbers = mesh.casters().flat_map(|object| object.triangles.clone());
-        let triangles: Vec<_> = numbers
-            .map(|number| RayTriangle::new(mesh, number))
-            .collect();
-        let margin = scale * INFLATION;
-        let around = triangles.iter().map(|triangle| triangle.bounds(margin));
-        let boxes: Vec<_> = around.collect();
+        let triangles = casters(mesh);
+        let boxes = boxes(mesh, &triangles);
         let bvh = box_tree::build(&boxes);
         let mut nodes = Vec::with_capacity(bvh.nodes.len() / 2 + 1);
         let stack = widen(&bvh, &mut nodes);
@@ -80,16 +72,9 @@ impl RayTree {
         Self {
             nodes,
             triangles,
-            margin,
             stack,
             build_us: begin.elapsed().as_micros() as u64,
         }
-    }
-
-    /// The boxes around its triangles, in their order: smallest and largest x, y, z.
-    pub fn boxes(&self) -> Vec<[Vec3; 2]> {
-        let bounds = self.triangles.iter().map(|of| of.bounds(self.margin));
-        bounds.map(|of| [of.min.into(), of.max.into()]).collect()
     }
 
     /// What is counted of it, by name.
@@ -103,18 +88,36 @@ impl RayTree {
     }
 }
 
-/// Makes nodes of four boxes of those of two; gives how many children may wait at once.
+/// The triangles of a mesh that cast, in its order.
+pub fn casters(mesh: &Mesh) -> Vec<RayTriangle> {
+    let numbers = mesh.casters().flat_map(|object| object.triangles.clone());
+    let triangles = numbers.map(|number| RayTriangle::new(mesh, number));
+    triangles.collect()
+}
+
+/// Boxes around triangles of a mesh, in their order, larger by what rounding may do to rays.
+pub fn boxes(mesh: &Mesh, triangles: &[RayTriangle]) -> Vec<Aabb> {
+    let largest = |scale: f32, position: &Vec3| scale.max(position.abs().max_element());
+    let margin = INFLATION * mesh.positions.iter().fold(0.0, largest);
+    let around = triangles.iter().map(|triangle| triangle.bounds(margin));
+    around.collect()
+}
+
+/// Makes nodes of four boxes of those of two; gives how many of them may wait at once.
 fn widen(bvh: &Bvh2, nodes: &mut Vec<Node>) -> usize {
     nodes.push(Node::zeroed());
     if bvh.nodes.is_empty() {
         return 0;
     }
-    let mut most_waiting = 0;
+    let mut most_waiting = 1;
     // Which node is made of which, and what waits while it is looked at.
     let mut open = vec![(0, 0, 0)];
     while let Some((wide, narrow, waiting)) = open.pop() {
         let children = children(bvh, narrow);
-        let waiting = waiting + children.len();
+        let inner = children
+            .iter()
+            .filter(|child| !bvh.nodes[**child].is_leaf());
+        let waiting = waiting + inner.count();
         most_waiting = most_waiting.max(waiting);
         for (slot, child) in children.into_iter().enumerate() {
             let node = &bvh.nodes[child];

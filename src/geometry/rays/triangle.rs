@@ -56,18 +56,40 @@ impl RayTriangle {
     }
 }
 
+/// The normal of a triangle, times twice its area: from its two shorter sides, which of a needle too are hardly longer than
+/// it asks for.
+#[inline(always)]
+pub(super) fn normal([a, b, c]: [Vec3; 3]) -> Vec3 {
+    let (ab, bc, ca) = (b - a, c - b, a - c);
+    let (of_ab, of_bc, of_ca) = (
+        ab.length_squared(),
+        bc.length_squared(),
+        ca.length_squared(),
+    );
+    if of_ab >= of_bc.max(of_ca) {
+        cross(bc, ca)
+    } else if of_bc >= of_ca {
+        cross(ca, ab)
+    } else {
+        cross(ab, bc)
+    }
+}
+
 /// What roundings do to a point's distance from a triangle's plane if it is within its light planes and near it, times
 /// twice the triangle's area; and that.
 ///
-/// Such a point is no farther from the first corner than the longer side. Rounding moves the vector from there to the point
+/// Such a point is no farther from the first corner than the longest side. Rounding moves the vector from there to the point
 /// twice and their product with the normal three times, each as a part of the normal, and the normal four times as a part of
-/// the product of the sides: of a needle, that is much more.
-fn contact([a, b, c]: [Vec3; 3]) -> (f32, f32) {
-    let (e, x) = (b - a, c - a);
-    let (e_length, x_length) = (e.length(), x.length());
-    let double_area = cross(e, x).length();
-    let roundings = 5.0 * double_area + 4.0 * e_length * x_length;
-    (ROUNDING * e_length.max(x_length) * roundings, double_area)
+/// the product of the shorter sides.
+fn contact(corners: [Vec3; 3]) -> (f32, f32) {
+    // Products of large coordinates would overflow.
+    let [a, b, c] = corners.map(Vec3::as_dvec3);
+    let mut sides = [b - a, c - b, a - c].map(glam::DVec3::length);
+    sides.sort_unstable_by(f64::total_cmp);
+    let double_area = (b - a).cross(c - a).length();
+    let roundings = 5.0 * double_area + 4.0 * sides[0] * sides[1];
+    let contact = f64::from(ROUNDING) * sides[2] * roundings;
+    (contact as f32, double_area as f32)
 }
 
 /// Corners in the vertex order.

@@ -7,8 +7,9 @@ use glam::Vec3;
 /// Rays of a packet.
 pub(super) const LANES: usize = 16;
 
-/// Boxes that touch a slab's border must not meet 0 × ∞: a finite stand-in for 1 / 0.
-pub(super) const LARGEST_INVERSE: f32 = 1e30;
+/// Boxes that touch a slab's border must not meet 0 × ∞: a finite stand-in for 1 / 0, whose product with any coordinate
+/// is finite, too.
+pub(super) const LARGEST_INVERSE: f32 = 1e28;
 
 /// A vector for each ray.
 #[derive(Clone, Copy)]
