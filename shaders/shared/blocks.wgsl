@@ -68,26 +68,50 @@ fn shape_normal(a: vec3<f32>, b: vec3<f32>, c: vec3<f32>) -> vec3<f32> {
     return spelled_cross(ab, bc);
 }
 
-// Points so far beside a triangle are taken to be within: `slack` is a part of their distance from it.
-fn blocks(caster: Caster, light: vec4<f32>, point: SurfacePoint, slack: f32) -> bool {
+// A triangle before the light, and its shadow volume: four planes with the shadow on their negative sides.
+struct Blocker {
+    // Points of the planes: the first of those of `ab`, `ac` and `own`, the second of that of `bc`.
+    a: vec3<f32>,
+    b: vec3<f32>,
+    // The side on which the light is; 0 if it sees the triangle edge-on, and then it blocks nothing.
+    side: f32,
+    // Normals of the light planes, and of the triangle.
+    ab: vec3<f32>,
+    ac: vec3<f32>,
+    bc: vec3<f32>,
+    own: vec3<f32>,
+    // What rounding may do to a distance from the triangle's plane, times twice its area; and that.
+    contact: f32,
+    double_area: f32,
+}
+
+fn blocker(caster: Caster, light: vec4<f32>) -> Blocker {
     let a = caster.a.xyz;
     let b = caster.b.xyz;
     let c = caster.c.xyz;
     let to_light = light.xyz - a * light.w;
     let of_ac = spelled_cross(c - a, to_light);
     let d = spelled_dot(of_ac, b - a);
-    // The side on which the light is; 0 if it sees the triangle edge-on.
     let sign = select(0.0, 1.0, d > 0.0) - select(0.0, 1.0, d < 0.0);
     let side = select(sign, 0.0, all(a == b) || all(b == c));
-    let of_ab = spelled_cross(b - a, to_light);
-    let of_bc = spelled_cross(c - b, light.xyz - b * light.w);
-    let own = shape_normal(a, b, c);
-    let from_a = from_to(a, point);
-    let from_b = from_to(b, point);
-    let ab = beside(side * of_ab, from_a, slack);
-    let ac = beside(-side * of_ac, from_a, slack);
-    let bc = beside(side * of_bc, from_b, slack);
-    let contact = caster.b.w + caster.c.w * point.uncertainty;
-    let is_beyond = spelled_dot(side * own, from_a) < -contact;
-    return side != 0.0 && max(ab, max(ac, bc)) <= 0.0 && is_beyond;
+    let ab = side * spelled_cross(b - a, to_light);
+    let bc = side * spelled_cross(c - b, light.xyz - b * light.w);
+    let own = side * shape_normal(a, b, c);
+    return Blocker(a, b, side, ab, -side * of_ac, bc, own, caster.b.w, caster.c.w);
+}
+
+// Points so far beside a triangle are taken to be within: `slack` is a part of their distance from it.
+fn is_behind(point: SurfacePoint, blocker: Blocker, slack: f32) -> bool {
+    let from_a = from_to(blocker.a, point);
+    let from_b = from_to(blocker.b, point);
+    let ab = beside(blocker.ab, from_a, slack);
+    let ac = beside(blocker.ac, from_a, slack);
+    let bc = beside(blocker.bc, from_b, slack);
+    let contact = blocker.contact + blocker.double_area * point.uncertainty;
+    let is_beyond = spelled_dot(blocker.own, from_a) < -contact;
+    return blocker.side != 0.0 && max(ab, max(ac, bc)) <= 0.0 && is_beyond;
+}
+
+fn blocks(caster: Caster, light: vec4<f32>, point: SurfacePoint, slack: f32) -> bool {
+    return is_behind(point, blocker(caster, light), slack);
 }

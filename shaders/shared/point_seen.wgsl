@@ -2,6 +2,10 @@
 // src/geometry/rays/sight.rs. Needs shared/frame.wgsl.
 #include "shared/blocks.wgsl"
 
+// The whole scene.
+@group(2) @binding(0) var<storage, read> positions: array<vec4<f32>>;
+@group(2) @binding(1) var<storage, read> indices: array<u32>;
+
 const LEAST_POSITIVE: f32 = 1.2e-38;
 
 // Six times the volume of the tetrahedron of an edge, the eye, and a piece of the line of sight.
@@ -38,9 +42,13 @@ fn nearest_on_edges(a: vec3<f32>, b: vec3<f32>, c: vec3<f32>, sight: vec3<f32>) 
     return select(vec2<f32>(0.0, ac.x), vec2<f32>(1.0 - bc.x, bc.x), bc.y <= ac.y);
 }
 
-// Where the line of sight through a pixel's centre meets the triangle, or comes nearest to it if it misses it, since a
-// rasteriser has moved its corners a little.
-fn point_seen(at: vec2<u32>, a: vec3<f32>, b: vec3<f32>, c: vec3<f32>) -> SurfacePoint {
+// Where the line of sight through a pixel's centre meets the triangle of this number plus 1, or comes nearest to it if it
+// misses it, since a rasteriser has moved its corners a little.
+fn point_seen(at: vec2<u32>, id: u32) -> SurfacePoint {
+    let first = 3u * (id - 1u);
+    let a = positions[indices[first]].xyz;
+    let b = positions[indices[first + 1u]].xyz;
+    let c = positions[indices[first + 2u]].xyz;
     let centre = vec2<f32>(at) + 0.5;
     let ndc = vec2<f32>(2.0 * centre.x / frame.picture.x - 1.0, 1.0 - 2.0 * centre.y / frame.picture.y);
     let sight = (frame.clip_to_eye_ray * vec4<f32>(ndc, 0.0, 1.0)).xyz;

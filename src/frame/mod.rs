@@ -27,7 +27,7 @@ pub use contract::{DrawnVolumes, Frame, PreparedMethod, TexelOf, Texels};
 pub use depth::{DepthFormat, DepthSetup};
 pub use gbuffer::GBuffer;
 pub use mask_pass::{MaskPass, MaskShader};
-pub use pixel_compute::{PixelCompute, PixelKernel};
+pub use pixel_compute::{Input, PixelCompute, PixelKernel, read, write};
 pub use resolve::{RESOLVE_STAGE, StencilResolve};
 pub use scene::SceneBuffers;
 pub use shade::Shade;
@@ -138,6 +138,21 @@ impl FrameResources {
             panic!("a frame is recorded before its view was set")
         };
         view
+    }
+
+    /// Copies the shadow mask to where [`PixelCompute`] finds and changes it.
+    pub fn take_mask(&self, encoder: &mut wgpu::CommandEncoder) {
+        self.targets.pixels.take_mask(encoder, &self.targets.mask);
+    }
+
+    /// Brings it back.
+    pub fn give_mask(&self, encoder: &mut wgpu::CommandEncoder) {
+        self.targets.pixels.give_mask(encoder, &self.targets.mask);
+    }
+
+    /// How many pixels a picture in a buffer has, with those between the end of a row and the next.
+    pub fn buffer_px(&self) -> u32 {
+        self.targets.pixels.row_px() * self.targets.height
     }
 
     /// Records a whole frame with `method`.

@@ -48,6 +48,11 @@ impl PixelBuffers {
         [("row_px", f64::from(self.row_px))]
     }
 
+    /// Pixels from one row to the next.
+    pub(super) fn row_px(&self) -> u32 {
+        self.row_px
+    }
+
     /// Copies the triangle numbers that were drawn.
     pub(super) fn take_triangle_ids(
         &self,

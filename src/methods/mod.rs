@@ -4,6 +4,7 @@
 //! A [`ShadowMethod`] is a method with its parameters, as a configuration names it; a
 //! [`PreparedMethod`] is that method made ready for one scene on one device.
 
+mod alias_free_map;
 mod capping;
 mod casters;
 mod clash;
@@ -39,6 +40,7 @@ mod silhouette_ts;
 mod silhouette_vs;
 mod triangle_gs;
 mod triangle_ts;
+mod view_samples;
 mod volume_limits;
 mod volume_parameters;
 mod volumes;

@@ -1,10 +1,8 @@
 //! Shadow rays in a compute shader, a pixel each, through a tree with four boxes a node: for devices without ray queries.
 
 use super::{Limit, MethodError, MethodInfo, PrepareContext, ShadowMethod, ray_limits};
-use crate::frame::fullscreen::buffer_binding;
-use crate::frame::{Frame, PixelCompute, PixelKernel, PreparedMethod};
+use crate::frame::{Frame, PixelCompute, PixelKernel, PreparedMethod, read};
 use crate::geometry::rays::RayTree;
-use crate::gpu::shader;
 use std::rc::Rc;
 
 /// What the method is.
@@ -65,19 +63,14 @@ impl Prepared {
         let buffer = |label, bytes| gpu.buffer(label, bytes, wgpu::BufferUsages::STORAGE);
         let nodes = buffer("a tree of boxes", bytemuck::cast_slice(&tree.nodes))?;
         let triangles = buffer("its triangles", bytemuck::cast_slice(&tree.triangles))?;
-        let module = shader::wgsl(&gpu.device, "methods/ray_compute/rays.wgsl");
         let scene = &resources.scene;
-        let read = buffer_binding(wgpu::BufferBindingType::Storage { read_only: true });
-        let buffers = [&scene.positions, &scene.indices, &nodes, &triangles];
-        let inputs = buffers.map(|buffer| (read, buffer.as_entire_binding()));
         let kernel = PixelKernel {
-            module: &module,
-            entry: "trace",
+            path: "methods/ray_compute/trace.wgsl",
             constants: &[],
-            inputs: &inputs,
+            inputs: &[&scene.positions, &scene.indices, &nodes, &triangles].map(read),
         };
         Ok(Self {
-            rays: Some(PixelCompute::new(&gpu.device, resources, &kernel)),
+            rays: Some(PixelCompute::new(gpu, resources, &kernel)),
             tree,
         })
     }

@@ -1,10 +1,9 @@
 //! Shadow rays through the device's own acceleration structure, a pixel each: what hardware for ray tracing does.
 
 use super::{Bound, Limit, MethodError, MethodInfo, PrepareContext, ShadowMethod, ray_limits};
-use crate::frame::fullscreen::buffer_binding;
-use crate::frame::{Frame, PixelCompute, PixelKernel, PreparedMethod};
+use crate::frame::{Frame, PixelCompute, PixelKernel, PreparedMethod, read};
 use crate::geometry::rays::{boxes, casters};
-use crate::gpu::{Capability, acceleration, shader};
+use crate::gpu::{Capability, acceleration};
 use crate::metrics::Label;
 use obvhs::aabb::Aabb;
 use serde::{Deserialize, Serialize};
@@ -102,27 +101,22 @@ impl Prepared {
             }
         };
         let build_us = begin.elapsed().as_micros() as u64;
-        let module = shader::wgsl(&gpu.device, "methods/ray_query/rays.wgsl");
         let scene = &resources.scene;
-        let read = buffer_binding(wgpu::BufferBindingType::Storage { read_only: true });
-        let [positions, indices, corners] = [&scene.positions, &scene.indices, &casters]
-            .map(|buffer| (read, buffer.as_entire_binding()));
         let of_structure = wgpu::BindingType::AccelerationStructure {
             vertex_return: false,
         };
         let kernel = PixelKernel {
-            module: &module,
-            entry: "trace",
+            path: "methods/ray_query/trace.wgsl",
             constants: &[("slack", slack)],
             inputs: &[
-                positions,
-                indices,
-                corners,
+                read(&scene.positions),
+                read(&scene.indices),
+                read(&casters),
                 (of_structure, structure.as_binding()),
             ],
         };
         Ok(Self {
-            rays: Some(PixelCompute::new(&gpu.device, resources, &kernel)),
+            rays: Some(PixelCompute::new(gpu, resources, &kernel)),
             build_us,
         })
     }

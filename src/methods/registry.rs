@@ -3,7 +3,7 @@
 use super::parameters::{Parameter, ParameterError, configure};
 use super::{MethodInfo, ShadowMethod};
 use super::{
-    cube_shadow_map, ray_compute, ray_cpu, ray_query, shadow_map, silhouette_cpu, silhouette_cs,
+    alias_free_map, cube_shadow_map, ray_compute, ray_cpu, ray_query, shadow_map, silhouette_cpu, silhouette_cs,
     silhouette_gs, silhouette_ms, silhouette_ts, silhouette_vs, triangle_gs, triangle_ts,
 };
 use crate::toml_error;
@@ -68,6 +68,7 @@ impl Registry {
             .with::<ray_query::RayQuery>()
             .with::<ray_compute::RayCompute>()
             .with::<ray_cpu::RayCpu>()
+            .with::<alias_free_map::AliasFreeMap>()
             .with::<shadow_map::ShadowMap>()
             .with::<cube_shadow_map::CubeShadowMap>()
     }

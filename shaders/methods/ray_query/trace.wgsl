@@ -4,8 +4,6 @@ enable wgpu_ray_query;
 #include "shared/pixels.wgsl"
 #include "shared/point_seen.wgsl"
 
-@group(2) @binding(0) var<storage, read> positions: array<vec4<f32>>;
-@group(2) @binding(1) var<storage, read> indices: array<u32>;
 @group(2) @binding(2) var<storage, read> casters: array<Caster>;
 @group(2) @binding(3) var structure: acceleration_structure;
 
@@ -33,14 +31,7 @@ fn is_blocked(point: SurfacePoint) -> bool {
 @compute @workgroup_size(8, 8)
 fn trace(@builtin(global_invocation_id) at: vec3<u32>) {
     let id = asked_triangle(at.xy);
-    if id == 0u {
-        return;
-    }
-    let first = 3u * (id - 1u);
-    let a = positions[indices[first]].xyz;
-    let b = positions[indices[first + 1u]].xyz;
-    let c = positions[indices[first + 2u]].xyz;
-    if is_blocked(point_seen(at.xy, a, b, c)) {
-        darken(at.xy);
+    if id != 0u && is_blocked(point_seen(at.xy, id)) {
+        darken(pixel_at(at.xy));
     }
 }

@@ -1,0 +1,39 @@
+// Shadows what large triangles cover in the light's map: a workgroup a part.
+#include "shared/frame.wgsl"
+#include "shared/pixels.wgsl"
+#include "methods/alias_free_map/covered.wgsl"
+
+const LANES: u32 = 64u;
+
+@compute @workgroup_size(LANES)
+fn cover_parts(
+    @builtin(workgroup_id) workgroup: vec3<u32>,
+    @builtin(num_workgroups) workgroups: vec3<u32>,
+    @builtin(local_invocation_index) lane: u32,
+) {
+    let part = workgroup.y * workgroups.x + workgroup.x;
+    let at = 2u + 2u * part;
+    if part >= atomicLoad(&parts[0]) || at + 1u >= arrayLength(&parts) {
+        return;
+    }
+    let caster = casters[atomicLoad(&parts[at])];
+    let tile = atomicLoad(&parts[at + 1u]);
+    let of_caster = blocker(caster, frame.light);
+    if is_sorted {
+        let end = cells[tile * TILE_WORDS + TILE_CELLS];
+        for (var sample = cells[tile * TILE_WORDS] + lane; sample < end; sample += LANES) {
+            darken_if_behind(links[sample], of_caster);
+        }
+        return;
+    }
+    let tiles = resolution / TILE;
+    let face = tile / (tiles * tiles);
+    let first = TILE * vec2<u32>(tile % tiles, tile / tiles % tiles);
+    let covered = coverage(caster, face);
+    for (var local = lane; local < TILE_CELLS; local += LANES) {
+        let cell = first + vec2<u32>(local % TILE, local / TILE);
+        if all(cell >= covered.first) && all(cell <= covered.last) {
+            darken_cell(face, cell, covered, of_caster);
+        }
+    }
+}

@@ -1,0 +1,39 @@
+// Brings samples into the lists of their cells: links them, or counts them for `sort_samples`.
+#include "shared/frame.wgsl"
+#include "shared/pixels.wgsl"
+#include "shared/blocks.wgsl"
+#include "shared/view_sample.wgsl"
+#include "methods/alias_free_map/light_map.wgsl"
+
+@group(2) @binding(0) var<storage, read_write> samples: array<ViewSample>;
+@group(2) @binding(1) var<storage, read> ranges: array<Range>;
+@group(2) @binding(2) var<storage, read_write> cells: array<atomic<u32>>;
+// The next pixel of the list plus 1, or how many came before.
+@group(2) @binding(3) var<storage, read_write> links: array<u32>;
+
+@compute @workgroup_size(8, 8)
+fn place_samples(@builtin(global_invocation_id) at: vec3<u32>) {
+    if any(at.xy >= vec2<u32>(frame.picture.xy)) {
+        return;
+    }
+    let pixel = pixel_at(at.xy);
+    let sample = samples[pixel];
+    if sample.place == 0u {
+        return;
+    }
+    let way = (sample.corner - origin()) + sample.way;
+    let face_number = face_of(way);
+    let place = on_face(way, face_number);
+    let face = face_from(ranges[face_number]);
+    let last = vec2<f32>(f32(resolution - 1u));
+    let cell = vec2<u32>(clamp((place.xy / place.z - face.low) * face.cells, vec2<f32>(0.0), last));
+    let index = cell_index(face_number, cell);
+    let of_tile = tile_index(face_number, cell / TILE) * TILE_WORDS + TILE_CELLS;
+    if is_sorted {
+        samples[pixel].place = 1u + index;
+        links[pixel] = atomicAdd(&cells[index], 1u);
+    } else {
+        links[pixel] = atomicExchange(&cells[index], pixel + 1u);
+    }
+    atomicStore(&cells[of_tile], 1u);
+}

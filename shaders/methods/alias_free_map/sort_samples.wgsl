@@ -1,0 +1,24 @@
+// Writes the pixels of each cell's list next to each other.
+#include "shared/frame.wgsl"
+#include "shared/pixels.wgsl"
+#include "shared/blocks.wgsl"
+#include "shared/view_sample.wgsl"
+#include "methods/alias_free_map/light_map.wgsl"
+
+@group(2) @binding(0) var<storage, read> samples: array<ViewSample>;
+@group(2) @binding(1) var<storage, read> cells: array<u32>;
+// How many samples of its cell came before.
+@group(2) @binding(2) var<storage, read> links: array<u32>;
+@group(2) @binding(3) var<storage, read_write> order: array<u32>;
+
+@compute @workgroup_size(8, 8)
+fn sort_samples(@builtin(global_invocation_id) at: vec3<u32>) {
+    if any(at.xy >= vec2<u32>(frame.picture.xy)) {
+        return;
+    }
+    let pixel = pixel_at(at.xy);
+    let place = samples[pixel].place;
+    if place != 0u {
+        order[cells[place - 1u] + links[pixel]] = pixel;
+    }
+}
