@@ -4,7 +4,7 @@ use super::parameters::{Parameter, ParameterError, configure};
 use super::{MethodInfo, ShadowMethod};
 use super::{
     alias_free_map, cube_shadow_map, ray_compute, ray_cpu, ray_query, shadow_map, silhouette_cpu, silhouette_cs,
-    silhouette_gs, silhouette_ms, silhouette_ts, silhouette_vs, triangle_gs, triangle_ts,
+    silhouette_gs, silhouette_ms, silhouette_ts, silhouette_vs, triangle_frusta, triangle_gs, triangle_ts,
 };
 use crate::toml_error;
 use crate::variant::{Variant, VariantError};
@@ -69,6 +69,7 @@ impl Registry {
             .with::<ray_compute::RayCompute>()
             .with::<ray_cpu::RayCpu>()
             .with::<alias_free_map::AliasFreeMap>()
+            .with::<triangle_frusta::TriangleFrusta>()
             .with::<shadow_map::ShadowMap>()
             .with::<cube_shadow_map::CubeShadowMap>()
     }

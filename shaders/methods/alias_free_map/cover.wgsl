@@ -1,4 +1,4 @@
-// Shadows what small triangles cover in the light's map, and lists the parts of large ones.
+// Shadows what small triangles cover in the light's map, and leaves the tiles of large ones to `cover_parts`.
 #include "shared/frame.wgsl"
 #include "shared/pixels.wgsl"
 #include "methods/alias_free_map/covered.wgsl"
@@ -15,17 +15,6 @@ fn darken_cells(face: u32, first: vec2<u32>, last: vec2<u32>, covered: Coverage,
     }
 }
 
-// Lists a triangle's part in a tile; false if there is no room.
-fn list_part(triangle: u32, tile: u32) -> bool {
-    let at = 2u + 2u * atomicAdd(&parts[0], 1u);
-    if at + 1u >= arrayLength(&parts) {
-        return false;
-    }
-    atomicStore(&parts[at], triangle);
-    atomicStore(&parts[at + 1u], tile);
-    return true;
-}
-
 fn cover_tiles(triangle: u32, face: u32, covered: Coverage, of_caster: Blocker) {
     let half = 0.5 * f32(TILE);
     for (var y = covered.first.y / TILE; y <= covered.last.y / TILE; y++) {
@@ -36,7 +25,7 @@ fn cover_tiles(triangle: u32, face: u32, covered: Coverage, of_caster: Blocker) 
             if cells[tile * TILE_WORDS + TILE_CELLS] == 0u || !is_covered(covered.edges, middle, half) {
                 continue;
             }
-            if !list_part(triangle, tile) {
+            if !leave(Part(triangle, tile)) {
                 let last = min(first + TILE - 1u, covered.last);
                 darken_cells(face, max(first, covered.first), last, covered, of_caster);
             }

@@ -11,13 +11,13 @@ fn cover_parts(
     @builtin(num_workgroups) workgroups: vec3<u32>,
     @builtin(local_invocation_index) lane: u32,
 ) {
-    let part = workgroup.y * workgroups.x + workgroup.x;
-    let at = 2u + 2u * part;
-    if part >= atomicLoad(&parts[0]) || at + 1u >= arrayLength(&parts) {
+    let number = workgroup.y * workgroups.x + workgroup.x;
+    if number >= part_count() {
         return;
     }
-    let caster = casters[atomicLoad(&parts[at])];
-    let tile = atomicLoad(&parts[at + 1u]);
+    let part = part_at(number);
+    let caster = casters[part.triangle];
+    let tile = part.place;
     let of_caster = blocker(caster, frame.light);
     if is_sorted {
         let end = cells[tile * TILE_WORDS + TILE_CELLS];

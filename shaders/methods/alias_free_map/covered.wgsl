@@ -6,17 +6,16 @@
 
 #include "shared/blocks.wgsl"
 #include "shared/view_sample.wgsl"
+#include "shared/parts.wgsl"
 #include "methods/alias_free_map/light_map.wgsl"
 
-@group(2) @binding(0) var<storage, read> casters: array<Caster>;
-@group(2) @binding(1) var<storage, read> samples: array<ViewSample>;
-@group(2) @binding(2) var<storage, read> ranges: array<Range>;
+@group(2) @binding(1) var<storage, read> casters: array<Caster>;
+@group(2) @binding(2) var<storage, read> samples: array<ViewSample>;
+@group(2) @binding(3) var<storage, read> ranges: array<Range>;
 // The first of each list: a pixel plus 1, or where it is in `links`.
-@group(2) @binding(3) var<storage, read> cells: array<u32>;
+@group(2) @binding(4) var<storage, read> cells: array<u32>;
 // The next of each list: a pixel plus 1; or all lists one after another.
-@group(2) @binding(4) var<storage, read> links: array<u32>;
-// How many parts there are; then each one's triangle and its tile.
-@group(2) @binding(5) var<storage, read_write> parts: array<atomic<u32>>;
+@group(2) @binding(5) var<storage, read> links: array<u32>;
 
 // Cells by which an edge is moved out for rounding.
 const MARGIN: f32 = 1.0 / 16.0;

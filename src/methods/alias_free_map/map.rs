@@ -5,6 +5,7 @@ use crate::frame::{FrameResources, Input, PixelCompute, PixelKernel, read, write
 use crate::geometry::rays::casters;
 use crate::gpu::DeviceError;
 use crate::methods::PrepareContext;
+use crate::methods::parts::Parts;
 use crate::methods::view_samples::ViewSamples;
 use wgpu::BufferUsages as Usage;
 
@@ -16,9 +17,6 @@ const TILE_WORDS: u32 = TILE * TILE + 1;
 const PIXELS: u32 = 64;
 /// Faces of the map of a lamp; a light at infinity uses one of them.
 const FACES: u32 = 6;
-/// Parts of large triangles that there is room for; what finds none takes longer.
-const PARTS: u32 = 1 << 20;
-
 /// The map of one scene and picture.
 pub(super) struct LightMap {
     ranges: wgpu::Buffer,
@@ -94,7 +92,7 @@ impl LightMap {
     pub(super) fn clear(&self, encoder: &mut wgpu::CommandEncoder) {
         encoder.clear_buffer(&self.ranges, 0, None);
         encoder.clear_buffer(&self.cells, 0, None);
-        encoder.clear_buffer(&self.cover.parts, 0, Some(8));
+        self.cover.parts.clear(encoder);
         if let Some(sort) = &self.sort {
             encoder.clear_buffer(&sort.taken, 0, None);
         }
@@ -156,10 +154,8 @@ impl Sort {
 
 /// What holds triangles against the samples.
 struct Cover {
-    parts: wgpu::Buffer,
-    workgroups: wgpu::Buffer,
+    parts: Parts,
     cover: PixelCompute,
-    spread: PixelCompute,
     cover_parts: PixelCompute,
     triangle_count: u32,
 }
@@ -170,24 +166,19 @@ impl Cover {
         inputs: &[Input<'_>],
         triangle_count: u32,
     ) -> Result<Self, DeviceError> {
-        let parts = maker.words("parts of triangles", 2 + 2 * PARTS, Usage::COPY_DST)?;
-        let workgroups = maker.words("workgroups of parts", 4, Usage::INDIRECT)?;
-        let inputs = [inputs, &[write(&parts)]].concat();
+        let parts = Parts::new(maker.context)?;
+        let inputs = [&[write(&parts.buffer)], inputs].concat();
         Ok(Self {
             cover: maker.kernel("cover", &inputs),
             cover_parts: maker.kernel("cover_parts", &inputs),
-            spread: maker.kernel("spread", &[read(&parts), write(&workgroups)]),
             parts,
-            workgroups,
             triangle_count,
         })
     }
 
     fn record(&self, pass: &mut wgpu::ComputePass<'_>, resources: &FrameResources) {
         self.cover.times(pass, resources, self.triangle_count);
-        self.spread.times(pass, resources, 1);
-        self.cover_parts
-            .indirect(pass, resources, &self.workgroups);
+        self.parts.run(&self.cover_parts, pass, resources);
     }
 }
 

@@ -1,9 +1,8 @@
-// Says how many workgroups `cover_parts` needs.
+// Says how many workgroups there are for what was left, one a part.
 #include "shared/frame.wgsl"
 #include "shared/pixels.wgsl"
-#include "methods/alias_free_map/light_map.wgsl"
+#include "shared/parts.wgsl"
 
-@group(2) @binding(0) var<storage, read> parts: array<u32>;
 @group(2) @binding(1) var<storage, read_write> workgroups: array<u32, 4>;
 
 // In a row.
@@ -11,9 +10,8 @@ const MOST: u32 = 65535u;
 
 @compute @workgroup_size(1)
 fn spread() {
-    let count = min(parts[0], (arrayLength(&parts) - 2u) / 2u);
-    let rows = (count + MOST - 1u) / MOST;
+    let count = part_count();
     workgroups[0] = min(count, MOST);
-    workgroups[1] = rows;
+    workgroups[1] = (count + MOST - 1u) / MOST;
     workgroups[2] = select(0u, 1u, count > 0u);
 }

@@ -1,0 +1,50 @@
+// Boxes around what a picture shows: of tiles of 8 × 8 pixels, four of them in each one above, up to one for the whole
+// picture. Node 0 is that one; those of node n are 4n + 1 to 4n + 4. There is such a tree for each slice of depth.
+
+// Tiles along a side of the square that the lowest nodes make up: a power of 2.
+override tiles: u32;
+// Trees.
+override slices: u32;
+
+const TILE: u32 = 8u;
+const TILE_PIXELS: u32 = TILE * TILE;
+const SLICES_PER_OCTAVE: f32 = 2.0;
+const MOST_SLICES: u32 = 16u;
+
+struct Node {
+    low: vec3<f32>,
+    // The largest of any sample.
+    uncertainty: f32,
+    // Below `low` where there is nothing.
+    high: vec3<f32>,
+    unused: u32,
+}
+
+// The first of the lowest nodes of a tree, of which there are tiles² of 4 / 3 tiles² in all.
+fn first_tile() -> u32 {
+    return (tiles * tiles - 1u) / 3u;
+}
+
+fn tree_size() -> u32 {
+    return first_tile() + tiles * tiles;
+}
+
+// Every other bit.
+fn even_bits(bits: u32) -> u32 {
+    var x = bits & 0x55555555u;
+    x = (x | x >> 1u) & 0x33333333u;
+    x = (x | x >> 2u) & 0x0f0f0f0fu;
+    x = (x | x >> 4u) & 0x00ff00ffu;
+    return (x | x >> 8u) & 0x0000ffffu;
+}
+
+// The first pixel of the lowest node of this number among them.
+fn corner_of(number: u32) -> vec2<u32> {
+    return TILE * vec2<u32>(even_bits(number), even_bits(number >> 1u));
+}
+
+// The slice of depth that a point is in. There are only so many, and the first follows the last: a box may be larger for it.
+fn slice_of(point: vec3<f32>) -> u32 {
+    let distance = (frame.view_projection * vec4<f32>(point, 1.0)).w;
+    return u32(max(64.0 + SLICES_PER_OCTAVE * log2(max(distance, 1e-9)), 0.0)) % slices;
+}

@@ -1,0 +1,135 @@
+//! Each triangle's shadow frustum, held against a hierarchy of boxes around what the picture shows and then against the samples
+//! of the tiles that it cuts: shadow volumes rasterised in compute, without silhouettes.
+
+mod tree;
+
+use super::parts::Parts;
+use super::view_samples::ViewSamples;
+use super::{Limit, MethodError, MethodInfo, PrepareContext, ShadowMethod, ray_limits};
+use crate::frame::{Frame, PixelCompute, PreparedMethod, read, write};
+use crate::geometry::rays::{RayTriangle, casters};
+use tree::SampleTree;
+
+/// What the method is.
+pub(super) static INFO: MethodInfo = MethodInfo {
+    id: "triangle_frusta",
+    title: "a shadow frustum per triangle, in compute",
+    source: "Sintorn, Olsson and Assarsson 2011; with slices, Sintorn, Kämpe, Olsson and Assarsson 2014",
+    needs: &[],
+    limits: &[ray_limits::LIMITS, &[] as &[Limit]],
+    clashes: &[],
+    tolerated_share: 0.0,
+};
+
+/// Twin of `MOST_SLICES` in tree.wgsl.
+const MOST_SLICES: u32 = 16;
+
+crate::parameters! {
+    /// The method with its parameters.
+    pub(super) struct TriangleFrusta {
+        slices: u32 = 1, in 1..=MOST_SLICES, "slices of depth whose samples have boxes of their own, two for each doubling of the distance: 1 for a hierarchical depth buffer alone, more for clusters";
+        bias: f64 = 0.0, in 0.0..=1.0, "how far behind a triangle its shadow begins, in parts of the longest side of the scene's box";
+    }
+}
+
+impl ShadowMethod for TriangleFrusta {
+    fn info(&self) -> &'static MethodInfo {
+        &INFO
+    }
+
+    fn prepare(
+        &self,
+        context: &PrepareContext<'_>,
+    ) -> Result<Box<dyn PreparedMethod>, MethodError> {
+        let mut triangles = casters(&context.scene.mesh);
+        let bounds = context.resources.extents.scene;
+        let bias = (self.bias * (bounds.high - bounds.low).max_element()) as f32;
+        for triangle in &mut triangles {
+            triangle.contact += bias * triangle.double_area;
+        }
+        let frusta = match triangles.is_empty() {
+            true => None,
+            false => Some(Frusta::new(context, self.slices, &triangles)?),
+        };
+        Ok(Box::new(Prepared { frusta }))
+    }
+}
+
+/// What casts the shadows of one scene on one picture.
+struct Frusta {
+    samples: ViewSamples,
+    tree: SampleTree,
+    parts: Parts,
+    cast_frusta: PixelCompute,
+    cast_parts: PixelCompute,
+    triangle_count: u32,
+}
+
+impl Frusta {
+    fn new(
+        context: &PrepareContext<'_>,
+        slices: u32,
+        triangles: &[RayTriangle],
+    ) -> Result<Self, MethodError> {
+        let bytes = bytemuck::cast_slice(triangles);
+        let usage = wgpu::BufferUsages::STORAGE;
+        let casters = context.gpu.buffer("the triangles that cast", bytes, usage)?;
+        let samples = ViewSamples::new(context)?;
+        let tree = SampleTree::new(context, slices, &samples)?;
+        let parts = Parts::new(context)?;
+        let inputs = [
+            write(&parts.buffer),
+            read(&casters),
+            read(&samples.buffer),
+            read(&tree.nodes),
+            write(&tree.dark),
+        ];
+        Ok(Self {
+            cast_frusta: tree.kernel(context, "cast_frusta", &inputs),
+            cast_parts: tree.kernel(context, "cast_parts", &inputs),
+            samples,
+            tree,
+            parts,
+            triangle_count: triangles.len() as u32,
+        })
+    }
+}
+
+/// The method made ready.
+struct Prepared {
+    /// `None` where nothing casts.
+    frusta: Option<Frusta>,
+}
+
+impl PreparedMethod for Prepared {
+    fn record(&mut self, frame: &mut Frame<'_>) -> anyhow::Result<()> {
+        let resources = frame.resources();
+        let Some(frusta) = &self.frusta else {
+            return Ok(());
+        };
+        let pass = wgpu::ComputePassDescriptor::default();
+        frame.stage("samples", |stage| {
+            let encoder = stage.encoder();
+            resources.take_mask(encoder);
+            frusta.tree.clear(encoder);
+            frusta.parts.clear(encoder);
+            let mut pass = encoder.begin_compute_pass(&pass);
+            frusta.samples.record(&mut pass, resources);
+        });
+        frame.stage("tree", |stage| {
+            let mut pass = stage.encoder().begin_compute_pass(&pass);
+            frusta.tree.build(&mut pass, resources);
+        });
+        frame.stage("triangles", |stage| {
+            let encoder = stage.encoder();
+            let mut pass = encoder.begin_compute_pass(&pass);
+            let count = frusta.triangle_count;
+            frusta.cast_frusta.times(&mut pass, resources, count);
+            frusta.parts.run(&frusta.cast_parts, &mut pass, resources);
+            frusta.tree.darken(&mut pass, resources);
+            drop(pass);
+            resources.give_mask(encoder);
+        });
+        Ok(())
+    }
+}
