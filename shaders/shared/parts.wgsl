@@ -1,20 +1,21 @@
-// Parts of triangles that one kernel leaves to the next: see src/methods/parts.rs.
+// Parts of work that one kernel leaves to the next: see src/methods/parts.rs.
 
-// How many were left, whether or not there was room; nothing; then each one's triangle and a place that the kernels know.
+// How many were left, whether or not there was room; nothing; then of each a triangle or more, and a place, as the kernels
+// number them.
 @group(2) @binding(0) var<storage, read_write> parts: array<atomic<u32>>;
 
 struct Part {
-    triangle: u32,
+    item: u32,
     place: u32,
 }
 
 // False if there is no room.
-fn leave(part: Part) -> bool {
+fn leave_part(part: Part) -> bool {
     let at = 2u + 2u * atomicAdd(&parts[0], 1u);
     if at + 1u >= arrayLength(&parts) {
         return false;
     }
-    atomicStore(&parts[at], part.triangle);
+    atomicStore(&parts[at], part.item);
     atomicStore(&parts[at + 1u], part.place);
     return true;
 }

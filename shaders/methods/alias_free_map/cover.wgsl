@@ -25,7 +25,7 @@ fn cover_tiles(triangle: u32, face: u32, covered: Coverage, of_caster: Blocker) 
             if cells[tile * TILE_WORDS + TILE_CELLS] == 0u || !is_covered(covered.edges, middle, half) {
                 continue;
             }
-            if !leave(Part(triangle, tile)) {
+            if !leave_part(Part(triangle, tile)) {
                 let last = min(first + TILE - 1u, covered.last);
                 darken_cells(face, max(first, covered.first), last, covered, of_caster);
             }

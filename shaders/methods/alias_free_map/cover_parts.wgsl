@@ -16,7 +16,7 @@ fn cover_parts(
         return;
     }
     let part = part_at(number);
-    let caster = casters[part.triangle];
+    let caster = casters[part.item];
     let tile = part.place;
     let of_caster = blocker(caster, frame.light);
     if is_sorted {

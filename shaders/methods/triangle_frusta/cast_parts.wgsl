@@ -1,21 +1,20 @@
-// Holds triangles against the samples of tiles that they cut: a workgroup a tile.
+// Holds the triangles of a cluster against a block of tiles: a workgroup a block.
 #include "shared/frame.wgsl"
 #include "shared/pixels.wgsl"
 #include "methods/triangle_frusta/frustum.wgsl"
 
-@compute @workgroup_size(TILE_PIXELS)
+// Triangles of a cluster.
+const CLUSTER: u32 = 32u;
+
+@compute @workgroup_size(CLUSTER)
 fn cast_parts(
     @builtin(workgroup_id) workgroup: vec3<u32>,
     @builtin(num_workgroups) workgroups: vec3<u32>,
     @builtin(local_invocation_index) lane: u32,
 ) {
     let number = workgroup.y * workgroups.x + workgroup.x;
-    if number >= part_count() {
-        return;
-    }
-    let part = part_at(number);
-    let at = corner_of(part.place) + vec2<u32>(lane % TILE, lane / TILE);
-    if all(at < vec2<u32>(frame.picture.xy)) {
-        darken_if_behind(pixel_at(at), blocker(casters[part.triangle], frame.light));
+    if number < part_count() {
+        let part = part_at(number);
+        cast_triangle(CLUSTER * part.item + lane, part.place);
     }
 }

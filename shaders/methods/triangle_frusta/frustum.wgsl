@@ -29,20 +29,51 @@ fn distances(normal: vec3<f32>, low: vec3<f32>, high: vec3<f32>) -> vec2<f32> {
     return vec2<f32>(least.x + least.y + least.z - rounding, most.x + most.y + most.z + rounding);
 }
 
-fn side_of(node: Node, of_caster: Blocker) -> u32 {
+// The frustum of a triangle for tests with boxes.
+struct Frustum {
+    planes: Blocker,
+    // Normals of planes through the light and a corner: they cut off what the light planes leave of a box at sharp corners.
+    at_a: vec3<f32>,
+    at_b: vec3<f32>,
+    at_c: vec3<f32>,
+    c: vec3<f32>,
+}
+
+fn direction(normal: vec3<f32>) -> vec3<f32> {
+    let size = abs(normal);
+    let scaled = normal / max(max(size.x, max(size.y, size.z)), 1e-37);
+    return scaled / max(length(scaled), 1e-9);
+}
+
+fn frustum_of(caster: Caster) -> Frustum {
+    let planes = blocker(caster, frame.light);
+    let ab = direction(planes.ab);
+    let ac = direction(planes.ac);
+    let bc = direction(planes.bc);
+    return Frustum(planes, ab + ac, ab + bc, ac + bc, caster.c.xyz);
+}
+
+// Where the box of a node lies.
+fn side_of(node: Node, frustum: Frustum) -> u32 {
     if node.low.x > node.high.x {
         return OUTSIDE;
     }
-    let low_a = node.low - of_caster.a;
-    let high_a = node.high - of_caster.a;
-    let ab = distances(of_caster.ab, low_a, high_a);
-    let ac = distances(of_caster.ac, low_a, high_a);
-    let bc = distances(of_caster.bc, node.low - of_caster.b, node.high - of_caster.b);
-    let own = distances(of_caster.own, low_a, high_a);
-    if max(ab.x, max(ac.x, bc.x)) > 0.0 || own.x >= -of_caster.contact {
+    let planes = frustum.planes;
+    let low_a = node.low - planes.a;
+    let high_a = node.high - planes.a;
+    let low_b = node.low - planes.b;
+    let high_b = node.high - planes.b;
+    let ab = distances(planes.ab, low_a, high_a);
+    let ac = distances(planes.ac, low_a, high_a);
+    let bc = distances(planes.bc, low_b, high_b);
+    let own = distances(planes.own, low_a, high_a);
+    let at_a = distances(frustum.at_a, low_a, high_a);
+    let at_b = distances(frustum.at_b, low_b, high_b);
+    let at_c = distances(frustum.at_c, node.low - frustum.c, node.high - frustum.c);
+    if max(max(ab.x, max(ac.x, bc.x)), max(at_a.x, max(at_b.x, at_c.x))) > 0.0 || own.x >= -planes.contact {
         return OUTSIDE;
     }
-    let contact = of_caster.contact + of_caster.double_area * node.uncertainty;
+    let contact = planes.contact + planes.double_area * node.uncertainty;
     return select(ACROSS, INSIDE, max(ab.y, max(ac.y, bc.y)) <= 0.0 && own.y < -contact);
 }
 
@@ -50,5 +81,57 @@ fn darken_if_behind(pixel: u32, of_caster: Blocker) {
     let sample = samples[pixel];
     if sample.place != 0u && !is_dark(pixel) && is_behind(point_of(sample), of_caster, 0.0) {
         darken(pixel);
+    }
+}
+
+fn cast_on_tile(tile: u32, of_caster: Blocker) {
+    let corner = corner_of(tile);
+    let end = min(corner + TILE, vec2<u32>(frame.picture.xy));
+    for (var y = corner.y; y < end.y; y++) {
+        for (var x = corner.x; x < end.x; x++) {
+            darken_if_behind(pixel_at(vec2<u32>(x, y)), of_caster);
+        }
+    }
+}
+
+// The node to look at after one without looking at those below it; `top` after the last below that.
+fn after(node: u32, top: u32) -> u32 {
+    var last = node;
+    while last != top && last % 4u == 0u {
+        last = (last - 1u) / 4u;
+    }
+    return select(last + 1u, top, last == top);
+}
+
+// What a triangle shadows in a node of a tree and those below.
+fn cast_on_node(tree: u32, top: u32, frustum: Frustum) {
+    var node = top;
+    loop {
+        var below = 0u;
+        if atomicLoad(&dark[tree + node]) == 0u {
+            let side = side_of(nodes[tree + node], frustum);
+            if side == INSIDE {
+                atomicStore(&dark[tree + node], 1u);
+            } else if side == ACROSS && node >= first_tile() {
+                cast_on_tile(node - first_tile(), frustum.planes);
+            } else if side == ACROSS {
+                below = 4u * node + 1u;
+            }
+        }
+        node = select(after(node, top), below, below != 0u);
+        if node == top {
+            break;
+        }
+    }
+}
+
+fn cast_triangle(triangle: u32, place: u32) {
+    if triangle >= arrayLength(&casters) {
+        return;
+    }
+    let frustum = frustum_of(casters[triangle]);
+    let tree = place / tree_size() * tree_size();
+    if frustum.planes.side != 0.0 {
+        cast_on_node(tree, place - tree, frustum);
     }
 }

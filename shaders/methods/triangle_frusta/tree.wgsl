@@ -1,4 +1,4 @@
-// Boxes around what a picture shows: of tiles of 8 × 8 pixels, four of them in each one above, up to one for the whole
+// Boxes around what a picture shows: of tiles of 4 × 4 pixels, four of them in each one above, up to one for the whole
 // picture. Node 0 is that one; those of node n are 4n + 1 to 4n + 4. There is such a tree for each slice of depth.
 
 // Tiles along a side of the square that the lowest nodes make up: a power of 2.
@@ -6,8 +6,9 @@ override tiles: u32;
 // Trees.
 override slices: u32;
 
-const TILE: u32 = 8u;
-const TILE_PIXELS: u32 = TILE * TILE;
+const TILE: u32 = 4u;
+// Tiles along a side of a block.
+const BLOCK_TILES: u32 = 4u;
 const SLICES_PER_OCTAVE: f32 = 2.0;
 const MOST_SLICES: u32 = 16u;
 
@@ -23,6 +24,12 @@ struct Node {
 // The first of the lowest nodes of a tree, of which there are tiles² of 4 / 3 tiles² in all.
 fn first_tile() -> u32 {
     return (tiles * tiles - 1u) / 3u;
+}
+
+// The first of the blocks.
+fn first_block() -> u32 {
+    let blocks = max(tiles / BLOCK_TILES, 1u);
+    return (blocks * blocks - 1u) / 3u;
 }
 
 fn tree_size() -> u32 {

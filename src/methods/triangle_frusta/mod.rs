@@ -1,13 +1,14 @@
 //! Each triangle's shadow frustum, held against a hierarchy of boxes around what the picture shows and then against the samples
 //! of the tiles that it cuts: shadow volumes rasterised in compute, without silhouettes.
 
+mod clusters;
 mod tree;
 
 use super::parts::Parts;
 use super::view_samples::ViewSamples;
 use super::{Limit, MethodError, MethodInfo, PrepareContext, ShadowMethod, ray_limits};
 use crate::frame::{Frame, PixelCompute, PreparedMethod, read, write};
-use crate::geometry::rays::{RayTriangle, casters};
+use crate::geometry::rays::RayTriangle;
 use tree::SampleTree;
 
 /// What the method is.
@@ -41,9 +42,10 @@ impl ShadowMethod for TriangleFrusta {
         &self,
         context: &PrepareContext<'_>,
     ) -> Result<Box<dyn PreparedMethod>, MethodError> {
-        let mut triangles = casters(&context.scene.mesh);
         let bounds = context.resources.extents.scene;
         let bias = (self.bias * (bounds.high - bounds.low).max_element()) as f32;
+        // In the order of a tree, neighbours in space are neighbours in memory.
+        let mut triangles = context.casters.ray_tree().triangles.clone();
         for triangle in &mut triangles {
             triangle.contact += bias * triangle.double_area;
         }
@@ -60,9 +62,9 @@ struct Frusta {
     samples: ViewSamples,
     tree: SampleTree,
     parts: Parts,
-    cast_frusta: PixelCompute,
+    cast_clusters: PixelCompute,
     cast_parts: PixelCompute,
-    triangle_count: u32,
+    cluster_count: u32,
 }
 
 impl Frusta {
@@ -71,9 +73,11 @@ impl Frusta {
         slices: u32,
         triangles: &[RayTriangle],
     ) -> Result<Self, MethodError> {
-        let bytes = bytemuck::cast_slice(triangles);
-        let usage = wgpu::BufferUsages::STORAGE;
-        let casters = context.gpu.buffer("the triangles that cast", bytes, usage)?;
+        let buffer = |what, bytes| context.gpu.buffer(what, bytes, wgpu::BufferUsages::STORAGE);
+        let casters = buffer("the triangles that cast", bytemuck::cast_slice(triangles))?;
+        let clusters = clusters::of(triangles);
+        let cluster_count = clusters.len() as u32;
+        let clusters = buffer("clusters of triangles", bytemuck::cast_slice(&clusters))?;
         let samples = ViewSamples::new(context)?;
         let tree = SampleTree::new(context, slices, &samples)?;
         let parts = Parts::new(context)?;
@@ -84,13 +88,14 @@ impl Frusta {
             read(&tree.nodes),
             write(&tree.dark),
         ];
+        let with_clusters = [&inputs[..], &[read(&clusters)]].concat();
         Ok(Self {
-            cast_frusta: tree.kernel(context, "cast_frusta", &inputs),
+            cast_clusters: tree.kernel(context, "cast_clusters", &with_clusters),
             cast_parts: tree.kernel(context, "cast_parts", &inputs),
             samples,
             tree,
             parts,
-            triangle_count: triangles.len() as u32,
+            cluster_count,
         })
     }
 }
@@ -123,8 +128,8 @@ impl PreparedMethod for Prepared {
         frame.stage("triangles", |stage| {
             let encoder = stage.encoder();
             let mut pass = encoder.begin_compute_pass(&pass);
-            let count = frusta.triangle_count;
-            frusta.cast_frusta.times(&mut pass, resources, count);
+            let count = frusta.cluster_count;
+            frusta.cast_clusters.times(&mut pass, resources, count);
             frusta.parts.run(&frusta.cast_parts, &mut pass, resources);
             frusta.tree.darken(&mut pass, resources);
             drop(pass);

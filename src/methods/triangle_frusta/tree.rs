@@ -7,7 +7,7 @@ use crate::methods::view_samples::ViewSamples;
 use wgpu::BufferUsages as Usage;
 
 /// Pixels along a side of a tile. Twin of `TILE` in tree.wgsl, as is what follows.
-const TILE: u32 = 8;
+const TILE: u32 = 4;
 /// Bytes of a node.
 const NODE_BYTES: u64 = 32;
 

@@ -1,0 +1,81 @@
+// Holds the shadow of each cluster of triangles against the trees of boxes, and leaves the blocks of tiles that it may meet
+// to `cast_parts`.
+#include "shared/frame.wgsl"
+#include "shared/pixels.wgsl"
+#include "methods/triangle_frusta/frustum.wgsl"
+
+struct Cluster {
+    low: vec3<f32>,
+    unused_low: u32,
+    high: vec3<f32>,
+    unused_high: u32,
+}
+
+@group(2) @binding(5) var<storage, read> clusters: array<Cluster>;
+
+// Triangles of a cluster: twin of `CLUSTER` in src/methods/triangle_frusta/clusters.rs.
+const CLUSTER: u32 = 32u;
+
+// How much longer and earlier a ray may be for rounding.
+const MARGIN: f32 = 1.0 / 1048576.0;
+
+// Whether a ray to the light from somewhere in a node's box may meet that of a cluster.
+//
+// A ray from p to the light is in the box's slab along an axis from the time (near - p) / (light - p) to (far - p) / (light - p).
+// Both only rise or only fall with p, so that the ends of the node's box are enough.
+fn may_meet(node: Node, cluster: Cluster) -> bool {
+    let light = frame.light;
+    let from_low = light.xyz - node.low * light.w;
+    let from_high = light.xyz - node.high * light.w;
+    var enter = 0.0;
+    var leave = select(1.0 + MARGIN, 3e38, light.w == 0.0);
+    for (var axis = 0u; axis < 3u; axis++) {
+        let low = from_low[axis];
+        let high = from_high[axis];
+        if low * high <= 0.0 || min(abs(low), abs(high)) < 1e-18 {
+            // Some rays never leave the slab, or are never in it.
+            continue;
+        }
+        let near = select(cluster.high[axis], cluster.low[axis], low > 0.0);
+        let far = select(cluster.low[axis], cluster.high[axis], low > 0.0);
+        let enters = vec2<f32>((near - node.low[axis]) / low, (near - node.high[axis]) / high);
+        let leaves = vec2<f32>((far - node.low[axis]) / low, (far - node.high[axis]) / high);
+        let first = min(enters.x, enters.y);
+        let last = max(leaves.x, leaves.y);
+        enter = max(enter, first - MARGIN * (1.0 + abs(first)));
+        leave = min(leave, last + MARGIN * (1.0 + abs(last)));
+    }
+    return enter <= leave;
+}
+
+fn cast_on_tree(number: u32, cluster: Cluster, tree: u32) {
+    var node = 0u;
+    loop {
+        let box = nodes[tree + node];
+        var below = 0u;
+        if box.low.x <= box.high.x && may_meet(box, cluster) {
+            if node < first_block() {
+                below = 4u * node + 1u;
+            } else if !leave_part(Part(number, tree + node)) {
+                for (var lane = 0u; lane < CLUSTER; lane++) {
+                    cast_triangle(CLUSTER * number + lane, tree + node);
+                }
+            }
+        }
+        node = select(after(node, 0u), below, below != 0u);
+        if node == 0u {
+            break;
+        }
+    }
+}
+
+@compute @workgroup_size(64)
+fn cast_clusters(@builtin(global_invocation_id) at: vec3<u32>, @builtin(num_workgroups) workgroups: vec3<u32>) {
+    let number = invocation(at, workgroups);
+    if number >= arrayLength(&clusters) {
+        return;
+    }
+    for (var slice = 0u; slice < slices; slice++) {
+        cast_on_tree(number, clusters[number], slice * tree_size());
+    }
+}

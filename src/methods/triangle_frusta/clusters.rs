@@ -1,0 +1,32 @@
+//! Triangles that are held against boxes together.
+
+use crate::geometry::rays::RayTriangle;
+use bytemuck::{Pod, Zeroable};
+use glam::Vec3;
+
+/// How many a cluster has. Twin of `CLUSTER` in cast_clusters.wgsl and cast_parts.wgsl.
+const CLUSTER: usize = 32;
+
+/// The box of a cluster. Twin of `Cluster` in cast_clusters.wgsl.
+#[repr(C)]
+#[derive(Clone, Copy, Pod, Zeroable)]
+pub(super) struct Cluster {
+    low: Vec3,
+    unused_low: u32,
+    high: Vec3,
+    unused_high: u32,
+}
+
+/// The clusters of triangles, which lie together where their numbers do.
+pub(super) fn of(triangles: &[RayTriangle]) -> Vec<Cluster> {
+    let around = |triangles: &[RayTriangle]| {
+        let corners = || triangles.iter().flat_map(RayTriangle::corners);
+        Cluster {
+            low: corners().fold(Vec3::INFINITY, Vec3::min),
+            unused_low: 0,
+            high: corners().fold(Vec3::NEG_INFINITY, Vec3::max),
+            unused_high: 0,
+        }
+    };
+    triangles.chunks(CLUSTER).map(around).collect()
+}
