@@ -5,7 +5,7 @@
 #include "shared/view_sample.wgsl"
 #include "methods/triangle_frusta/tree.wgsl"
 
-@group(2) @binding(0) var<storage, read> samples: array<ViewSample>;
+@group(2) @binding(0) var<storage, read_write> samples: array<ViewSample>;
 @group(2) @binding(1) var<storage, read_write> nodes: array<Node>;
 
 const NOTHING: Node = Node(vec3<f32>(3e38), 0.0, vec3<f32>(-3e38), 0u);
@@ -27,7 +27,8 @@ fn bound_tiles(@builtin(global_invocation_id) at: vec3<u32>, @builtin(num_workgr
     let end = min(corner + TILE, vec2<u32>(frame.picture.xy));
     for (var y = corner.y; y < end.y; y++) {
         for (var x = corner.x; x < end.x; x++) {
-            let sample = samples[pixel_at(vec2<u32>(x, y))];
+            let pixel = pixel_at(vec2<u32>(x, y));
+            let sample = samples[pixel];
             if sample.place == 0u {
                 continue;
             }
@@ -37,6 +38,7 @@ fn bound_tiles(@builtin(global_invocation_id) at: vec3<u32>, @builtin(num_workgr
             var slice = 0u;
             if slices > 1u {
                 slice = slice_of(point);
+                samples[pixel].place = 1u + slice;
             }
             let before = boxes[slice];
             let low = min(before.low, point - rounding);

@@ -9,12 +9,18 @@ struct Cluster {
     unused_low: u32,
     high: vec3<f32>,
     unused_high: u32,
+    // Sum of its triangles' normals, which need not all point to the same side.
+    normal: vec3<f32>,
+    unused_normal: u32,
 }
 
 @group(2) @binding(5) var<storage, read> clusters: array<Cluster>;
 
 // Triangles of a cluster: twin of `CLUSTER` in src/methods/triangle_frusta/clusters.rs.
 const CLUSTER: u32 = 32u;
+
+// Which clusters cast: those that face the light, or the others.
+override is_facing: bool;
 
 // How much longer and earlier a ray may be for rounding.
 const MARGIN: f32 = 1.0 / 1048576.0;
@@ -48,12 +54,19 @@ fn may_meet(node: Node, cluster: Cluster) -> bool {
     return enter <= leave;
 }
 
+// Whether most of it faces the light.
+fn faces_light(cluster: Cluster) -> bool {
+    let middle = 0.5 * (cluster.low + cluster.high);
+    return dot(cluster.normal, frame.light.xyz - middle * frame.light.w) > 0.0;
+}
+
 fn cast_on_tree(number: u32, cluster: Cluster, tree: u32) {
     var node = 0u;
     loop {
         let box = nodes[tree + node];
         var below = 0u;
-        if box.low.x <= box.high.x && may_meet(box, cluster) {
+        let is_lit = atomicLoad(&dark[tree + node]) == 0u;
+        if is_lit && box.low.x <= box.high.x && may_meet(box, cluster) {
             if node < first_block() {
                 below = 4u * node + 1u;
             } else if !leave_part(Part(number, tree + node)) {
@@ -72,7 +85,7 @@ fn cast_on_tree(number: u32, cluster: Cluster, tree: u32) {
 @compute @workgroup_size(64)
 fn cast_clusters(@builtin(global_invocation_id) at: vec3<u32>, @builtin(num_workgroups) workgroups: vec3<u32>) {
     let number = invocation(at, workgroups);
-    if number >= arrayLength(&clusters) {
+    if number >= arrayLength(&clusters) || faces_light(clusters[number]) != is_facing {
         return;
     }
     for (var slice = 0u; slice < slices; slice++) {

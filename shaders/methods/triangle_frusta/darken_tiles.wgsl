@@ -1,4 +1,4 @@
-// Brings the shadow of whole nodes to their pixels.
+// Brings the shadow of whole nodes to their pixels, and finds the tiles that have no other pixels left.
 #include "shared/frame.wgsl"
 #include "shared/pixels.wgsl"
 #include "shared/blocks.wgsl"
@@ -6,7 +6,7 @@
 #include "methods/triangle_frusta/tree.wgsl"
 
 @group(2) @binding(0) var<storage, read> samples: array<ViewSample>;
-@group(2) @binding(1) var<storage, read> dark: array<u32>;
+@group(2) @binding(1) var<storage, read_write> dark: array<u32>;
 
 fn is_all_dark(tree: u32, tile: u32) -> bool {
     var node = first_tile() + tile;
@@ -18,21 +18,33 @@ fn is_all_dark(tree: u32, tile: u32) -> bool {
 
 @compute @workgroup_size(64)
 fn darken_tiles(@builtin(global_invocation_id) at: vec3<u32>, @builtin(num_workgroups) workgroups: vec3<u32>) {
-    let number = invocation(at, workgroups);
-    let tile = number % (tiles * tiles);
-    let slice = number / (tiles * tiles);
-    if slice >= slices || !is_all_dark(slice * tree_size(), tile) {
+    let tile = invocation(at, workgroups);
+    if tile >= tiles * tiles {
         return;
     }
+    // A bit for each slice.
+    var in_shadow = 0u;
+    for (var slice = 0u; slice < slices; slice++) {
+        in_shadow |= select(0u, 1u, is_all_dark(slice * tree_size(), tile)) << slice;
+    }
+    var is_lit = 0u;
     let corner = corner_of(tile);
     let end = min(corner + TILE, vec2<u32>(frame.picture.xy));
     for (var y = corner.y; y < end.y; y++) {
         for (var x = corner.x; x < end.x; x++) {
             let pixel = pixel_at(vec2<u32>(x, y));
-            let sample = samples[pixel];
-            if sample.place != 0u && (slices == 1u || slice_of(sample.corner + sample.way) == slice) {
+            let place = samples[pixel].place;
+            if place == 0u || is_dark(pixel) {
+                continue;
+            }
+            if (in_shadow >> (place - 1u) & 1u) != 0u {
                 darken(pixel);
+            } else {
+                is_lit |= 1u << (place - 1u);
             }
         }
+    }
+    for (var slice = 0u; slice < slices; slice++) {
+        dark[slice * tree_size() + first_tile() + tile] = select(1u, 0u, (is_lit >> slice & 1u) != 0u);
     }
 }

@@ -78,8 +78,11 @@ fn side_of(node: Node, frustum: Frustum) -> u32 {
 }
 
 fn darken_if_behind(pixel: u32, of_caster: Blocker) {
+    if is_dark(pixel) {
+        return;
+    }
     let sample = samples[pixel];
-    if sample.place != 0u && !is_dark(pixel) && is_behind(point_of(sample), of_caster, 0.0) {
+    if sample.place != 0u && is_behind(point_of(sample), of_caster, 0.0) {
         darken(pixel);
     }
 }

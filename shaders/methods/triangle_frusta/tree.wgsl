@@ -6,6 +6,10 @@ override tiles: u32;
 // Trees.
 override slices: u32;
 
+// For what is done level by level: the first node of the level in each tree, and how many there are.
+override first: u32;
+override count: u32;
+
 const TILE: u32 = 4u;
 // Tiles along a side of a block.
 const BLOCK_TILES: u32 = 4u;
@@ -34,6 +38,16 @@ fn first_block() -> u32 {
 
 fn tree_size() -> u32 {
     return first_tile() + tiles * tiles;
+}
+
+// A node of the level, and the first of those below it, among those of all trees.
+fn node_of_level(number: u32) -> u32 {
+    return number / count * tree_size() + first + number % count;
+}
+
+fn first_below(node: u32) -> u32 {
+    let tree = node / tree_size() * tree_size();
+    return tree + 4u * (node - tree) + 1u;
 }
 
 // Every other bit.

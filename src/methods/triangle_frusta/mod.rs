@@ -62,7 +62,8 @@ struct Frusta {
     samples: ViewSamples,
     tree: SampleTree,
     parts: Parts,
-    cast_clusters: PixelCompute,
+    /// Of those that face the light, and of the others.
+    cast_clusters: [PixelCompute; 2],
     cast_parts: PixelCompute,
     cluster_count: u32,
 }
@@ -75,7 +76,7 @@ impl Frusta {
     ) -> Result<Self, MethodError> {
         let buffer = |what, bytes| context.gpu.buffer(what, bytes, wgpu::BufferUsages::STORAGE);
         let casters = buffer("the triangles that cast", bytemuck::cast_slice(triangles))?;
-        let clusters = clusters::of(triangles);
+        let clusters = clusters::of(&context.scene.mesh, triangles);
         let cluster_count = clusters.len() as u32;
         let clusters = buffer("clusters of triangles", bytemuck::cast_slice(&clusters))?;
         let samples = ViewSamples::new(context)?;
@@ -90,8 +91,11 @@ impl Frusta {
         ];
         let with_clusters = [&inputs[..], &[read(&clusters)]].concat();
         Ok(Self {
-            cast_clusters: tree.kernel(context, "cast_clusters", &with_clusters),
-            cast_parts: tree.kernel(context, "cast_parts", &inputs),
+            cast_clusters: [1.0, 0.0].map(|is_facing| {
+                let constants = [("is_facing", is_facing)];
+                tree.kernel(context, "cast_clusters", &constants, &with_clusters)
+            }),
+            cast_parts: tree.kernel(context, "cast_parts", &[], &inputs),
             samples,
             tree,
             parts,
@@ -117,7 +121,6 @@ impl PreparedMethod for Prepared {
             let encoder = stage.encoder();
             resources.take_mask(encoder);
             frusta.tree.clear(encoder);
-            frusta.parts.clear(encoder);
             let mut pass = encoder.begin_compute_pass(&pass);
             frusta.samples.record(&mut pass, resources);
         });
@@ -127,12 +130,13 @@ impl PreparedMethod for Prepared {
         });
         frame.stage("triangles", |stage| {
             let encoder = stage.encoder();
-            let mut pass = encoder.begin_compute_pass(&pass);
-            let count = frusta.cluster_count;
-            frusta.cast_clusters.times(&mut pass, resources, count);
-            frusta.parts.run(&frusta.cast_parts, &mut pass, resources);
-            frusta.tree.darken(&mut pass, resources);
-            drop(pass);
+            for cast_clusters in &frusta.cast_clusters {
+                frusta.parts.clear(encoder);
+                let mut pass = encoder.begin_compute_pass(&pass);
+                cast_clusters.times(&mut pass, resources, frusta.cluster_count);
+                frusta.parts.run(&frusta.cast_parts, &mut pass, resources);
+                frusta.tree.darken(&mut pass, resources);
+            }
             resources.give_mask(encoder);
         });
         Ok(())

@@ -19,28 +19,29 @@ pub(super) struct SampleTree {
     pub(super) dark: wgpu::Buffer,
     size: Size,
     bound_tiles: PixelCompute,
-    /// From the lowest to the root, each with the number of its nodes in all trees.
-    bound_nodes: Vec<(PixelCompute, u32)>,
+    bound_nodes: Levels,
     darken_tiles: PixelCompute,
+    darken_nodes: Levels,
 }
 
 /// How large the trees are.
 #[derive(Clone, Copy)]
 struct Size {
     /// Tiles along a side of a square, a power of 2.
-    tiles: u32,
+    side: u32,
+    /// Trees.
     slices: u32,
 }
 
 impl Size {
-    /// Tiles of all trees.
-    fn tile_count(self) -> u32 {
-        self.tiles * self.tiles * self.slices
+    /// Tiles of one tree.
+    fn tiles(self) -> u32 {
+        self.side * self.side
     }
 
     /// Nodes of all trees.
-    fn node_count(self) -> u32 {
-        (4 * self.tiles * self.tiles - 1) / 3 * self.slices
+    fn nodes(self) -> u32 {
+        (4 * self.tiles() - 1) / 3 * self.slices
     }
 
     fn kernel(
@@ -51,7 +52,9 @@ impl Size {
         inputs: &[Input<'_>],
     ) -> PixelCompute {
         let size = [
-            ("tiles", f64::from(self.tiles)),
+            ("first", 0.0),
+            ("count", 0.0),
+            ("tiles", f64::from(self.side)),
             ("slices", f64::from(self.slices)),
         ];
         let kernel = PixelKernel {
@@ -74,38 +77,27 @@ impl SampleTree {
         samples: &ViewSamples,
     ) -> Result<Self, DeviceError> {
         let targets = &context.resources.targets;
-        let tiles = targets.width.max(targets.height).div_ceil(TILE);
+        let side = targets.width.max(targets.height).div_ceil(TILE);
         let size = Size {
-            tiles: tiles.next_power_of_two(),
+            side: side.next_power_of_two(),
             slices,
         };
         let gpu = context.gpu;
-        let count = u64::from(size.node_count());
+        let count = u64::from(size.nodes());
         let nodes = gpu.empty_buffer("boxes of tiles", NODE_BYTES * count, Usage::STORAGE)?;
         let usage = Usage::STORAGE | Usage::COPY_DST;
         let dark = gpu.empty_buffer("tiles in shadow", 4 * count, usage)?;
-        let inputs = [read(&samples.buffer), write(&nodes)];
+        let inputs = [write(&samples.buffer), write(&nodes)];
         let bound_tiles = size.kernel(context, "bound_tiles", &[], &inputs);
-        let levels = size.tiles.ilog2();
-        let of_level = |level: u32| {
-            let count = 4_u32.pow(level);
-            let constants = [
-                ("first", f64::from((count - 1) / 3)),
-                ("count", f64::from(count)),
-            ];
-            let inputs = [write(&nodes)];
-            let kernel = size.kernel(context, "bound_nodes", &constants, &inputs);
-            (kernel, count * slices)
-        };
-        let bound_nodes = (0..levels).rev().map(of_level).collect();
-        let inputs = [read(&samples.buffer), read(&dark)];
+        let inputs = [read(&samples.buffer), write(&dark)];
         Ok(Self {
+            bound_nodes: Levels::new(context, size, "bound_nodes", &nodes),
             darken_tiles: size.kernel(context, "darken_tiles", &[], &inputs),
+            darken_nodes: Levels::new(context, size, "darken_nodes", &dark),
             nodes,
             dark,
             size,
             bound_tiles,
-            bound_nodes,
         })
     }
 
@@ -114,9 +106,10 @@ impl SampleTree {
         &self,
         context: &PrepareContext<'_>,
         name: &str,
+        constants: &[(&str, f64)],
         inputs: &[Input<'_>],
     ) -> PixelCompute {
-        self.size.kernel(context, name, &[], inputs)
+        self.size.kernel(context, name, constants, inputs)
     }
 
     /// Forgets what is in shadow.
@@ -126,16 +119,37 @@ impl SampleTree {
 
     /// Makes the boxes.
     pub(super) fn build(&self, pass: &mut wgpu::ComputePass<'_>, resources: &FrameResources) {
-        let tiles = self.size.tiles * self.size.tiles;
-        self.bound_tiles.times(pass, resources, tiles);
-        for (kernel, count) in &self.bound_nodes {
-            kernel.times(pass, resources, *count);
-        }
+        self.bound_tiles.times(pass, resources, self.size.tiles());
+        self.bound_nodes.record(pass, resources);
     }
 
-    /// Brings the shadow of whole nodes to their pixels.
+    /// Brings the shadow of whole nodes to their pixels, and finds what nodes have no others left.
     pub(super) fn darken(&self, pass: &mut wgpu::ComputePass<'_>, resources: &FrameResources) {
-        let count = self.size.tile_count();
-        self.darken_tiles.times(pass, resources, count);
+        self.darken_tiles.times(pass, resources, self.size.tiles());
+        self.darken_nodes.record(pass, resources);
+    }
+}
+
+/// What goes from the level above tiles up to the root, each with the number of its nodes in all trees.
+struct Levels(Vec<(PixelCompute, u32)>);
+
+impl Levels {
+    fn new(context: &PrepareContext<'_>, size: Size, name: &str, buffer: &wgpu::Buffer) -> Self {
+        let of_level = |level: u32| {
+            let count = 4_u32.pow(level);
+            let constants = [
+                ("first", f64::from((count - 1) / 3)),
+                ("count", f64::from(count)),
+            ];
+            let kernel = size.kernel(context, name, &constants, &[write(buffer)]);
+            (kernel, count * size.slices)
+        };
+        Self((0..size.side.ilog2()).rev().map(of_level).collect())
+    }
+
+    fn record(&self, pass: &mut wgpu::ComputePass<'_>, resources: &FrameResources) {
+        for (kernel, count) in &self.0 {
+            kernel.times(pass, resources, *count);
+        }
     }
 }
