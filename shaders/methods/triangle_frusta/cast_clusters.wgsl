@@ -75,10 +75,18 @@ fn cast_on_tree(number: u32, cluster: Cluster, tree: u32) {
                 }
             }
         }
-        node = select(after(node, 0u), below, below != 0u);
+        if below != 0u {
+            node = below;
+            continue;
+        }
+        // After the last of four comes what follows the one above.
+        while node != 0u && node % 4u == 0u {
+            node = (node - 1u) / 4u;
+        }
         if node == 0u {
             break;
         }
+        node++;
     }
 }
 

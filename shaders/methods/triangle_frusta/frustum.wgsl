@@ -97,33 +97,31 @@ fn cast_on_tile(tile: u32, of_caster: Blocker) {
     }
 }
 
-// The node to look at after one without looking at those below it; `top` after the last below that.
-fn after(node: u32, top: u32) -> u32 {
-    var last = node;
-    while last != top && last % 4u == 0u {
-        last = (last - 1u) / 4u;
+// Whether a triangle shadows a part of a node, as far as boxes tell.
+fn is_cut(node: u32, frustum: Frustum) -> bool {
+    if atomicLoad(&dark[node]) != 0u {
+        return false;
     }
-    return select(last + 1u, top, last == top);
+    let side = side_of(nodes[node], frustum);
+    if side == INSIDE {
+        atomicStore(&dark[node], 1u);
+    }
+    return side == ACROSS;
 }
 
-// What a triangle shadows in a node of a tree and those below.
-fn cast_on_node(tree: u32, top: u32, frustum: Frustum) {
-    var node = top;
-    loop {
-        var below = 0u;
-        if atomicLoad(&dark[tree + node]) == 0u {
-            let side = side_of(nodes[tree + node], frustum);
-            if side == INSIDE {
-                atomicStore(&dark[tree + node], 1u);
-            } else if side == ACROSS && node >= first_tile() {
-                cast_on_tile(node - first_tile(), frustum.planes);
-            } else if side == ACROSS {
-                below = 4u * node + 1u;
-            }
+// What a triangle shadows in a block. Neighbours look at the same nodes at the same time.
+fn cast_on_block(tree: u32, block: u32, frustum: Frustum) {
+    if !is_cut(tree + block, frustum) {
+        return;
+    }
+    for (var above = 4u * block + 1u; above <= 4u * block + 4u; above++) {
+        if !is_cut(tree + above, frustum) {
+            continue;
         }
-        node = select(after(node, top), below, below != 0u);
-        if node == top {
-            break;
+        for (var tile = 4u * above + 1u; tile <= 4u * above + 4u; tile++) {
+            if is_cut(tree + tile, frustum) {
+                cast_on_tile(tile - first_tile(), frustum.planes);
+            }
         }
     }
 }
@@ -135,6 +133,6 @@ fn cast_triangle(triangle: u32, place: u32) {
     let frustum = frustum_of(casters[triangle]);
     let tree = place / tree_size() * tree_size();
     if frustum.planes.side != 0.0 {
-        cast_on_node(tree, place - tree, frustum);
+        cast_on_block(tree, place - tree, frustum);
     }
 }

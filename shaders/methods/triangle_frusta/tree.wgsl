@@ -11,7 +11,7 @@ override first: u32;
 override count: u32;
 
 const TILE: u32 = 4u;
-// Tiles along a side of a block.
+// Tiles along a side of a block, which is two levels above.
 const BLOCK_TILES: u32 = 4u;
 const SLICES_PER_OCTAVE: f32 = 2.0;
 const MOST_SLICES: u32 = 16u;
@@ -32,7 +32,7 @@ fn first_tile() -> u32 {
 
 // The first of the blocks.
 fn first_block() -> u32 {
-    let blocks = max(tiles / BLOCK_TILES, 1u);
+    let blocks = tiles / BLOCK_TILES;
     return (blocks * blocks - 1u) / 3u;
 }
 

@@ -8,6 +8,8 @@ use wgpu::BufferUsages as Usage;
 
 /// Pixels along a side of a tile. Twin of `TILE` in tree.wgsl, as is what follows.
 const TILE: u32 = 4;
+/// Tiles along a side of a block.
+const BLOCK_TILES: u32 = 4;
 /// Bytes of a node.
 const NODE_BYTES: u64 = 32;
 
@@ -79,7 +81,7 @@ impl SampleTree {
         let targets = &context.resources.targets;
         let side = targets.width.max(targets.height).div_ceil(TILE);
         let size = Size {
-            side: side.next_power_of_two(),
+            side: side.max(BLOCK_TILES).next_power_of_two(),
             slices,
         };
         let gpu = context.gpu;
