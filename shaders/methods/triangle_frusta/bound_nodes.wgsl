@@ -13,12 +13,16 @@ fn bound_nodes(@builtin(global_invocation_id) at: vec3<u32>, @builtin(num_workgr
     }
     let node = node_of_level(number);
     let below = first_below(node);
-    var sum = nodes[below];
-    for (var child = below + 1u; child < below + 4u; child++) {
-        let other = nodes[child];
-        sum.low = min(sum.low, other.low);
-        sum.high = max(sum.high, other.high);
-        sum.uncertainty = max(sum.uncertainty, other.uncertainty);
+    var low = vec3<f32>(3e38);
+    var high = vec3<f32>(-3e38);
+    var uncertainty = 0.0;
+    for (var child = below; child < below + 4u; child++) {
+        let part = nodes[child];
+        if !is_empty(part) {
+            low = min(low, part.centre - part.extent);
+            high = max(high, part.centre + part.extent);
+            uncertainty = max(uncertainty, part.uncertainty);
+        }
     }
-    nodes[node] = sum;
+    nodes[node] = node_of(low, high, uncertainty);
 }

@@ -8,10 +8,16 @@
 @group(2) @binding(0) var<storage, read_write> samples: array<ViewSample>;
 @group(2) @binding(1) var<storage, read_write> nodes: array<Node>;
 
-const NOTHING: Node = Node(vec3<f32>(3e38), 0.0, vec3<f32>(-3e38), 0u);
+// The points of samples again, to be read at a first look.
+@group(2) @binding(2) var<storage, read_write> points: array<vec4<f32>>;
 
-// What rounding a point moves it by, as a part of its largest coordinate.
-const ROUNDING: f32 = 1.0 / 4194304.0;
+struct Range {
+    low: vec3<f32>,
+    high: vec3<f32>,
+    uncertainty: f32,
+}
+
+const NOTHING: Range = Range(vec3<f32>(3e38), vec3<f32>(-3e38), 0.0);
 
 @compute @workgroup_size(64)
 fn bound_tiles(@builtin(global_invocation_id) at: vec3<u32>, @builtin(num_workgroups) workgroups: vec3<u32>) {
@@ -19,9 +25,9 @@ fn bound_tiles(@builtin(global_invocation_id) at: vec3<u32>, @builtin(num_workgr
     if tile >= tiles * tiles {
         return;
     }
-    var boxes: array<Node, MOST_SLICES>;
+    var ranges: array<Range, MOST_SLICES>;
     for (var slice = 0u; slice < slices; slice++) {
-        boxes[slice] = NOTHING;
+        ranges[slice] = NOTHING;
     }
     let corner = corner_of(tile);
     let end = min(corner + TILE, vec2<u32>(frame.picture.xy));
@@ -33,20 +39,19 @@ fn bound_tiles(@builtin(global_invocation_id) at: vec3<u32>, @builtin(num_workgr
                 continue;
             }
             let point = sample.corner + sample.way;
-            let size = abs(point);
-            let rounding = ROUNDING * max(size.x, max(size.y, size.z));
+            points[pixel] = vec4<f32>(point, 0.0);
             var slice = 0u;
             if slices > 1u {
                 slice = slice_of(point);
                 samples[pixel].place = 1u + slice;
             }
-            let before = boxes[slice];
-            let low = min(before.low, point - rounding);
-            let high = max(before.high, point + rounding);
-            boxes[slice] = Node(low, max(before.uncertainty, sample.uncertainty), high, 0u);
+            let before = ranges[slice];
+            let uncertainty = max(before.uncertainty, sample.uncertainty);
+            ranges[slice] = Range(min(before.low, point), max(before.high, point), uncertainty);
         }
     }
     for (var slice = 0u; slice < slices; slice++) {
-        nodes[slice * tree_size() + first_tile() + tile] = boxes[slice];
+        let its = ranges[slice];
+        nodes[slice * tree_size() + first_tile() + tile] = node_of(its.low, its.high, its.uncertainty);
     }
 }

@@ -14,7 +14,7 @@ struct Cluster {
     unused_normal: u32,
 }
 
-@group(2) @binding(5) var<storage, read> clusters: array<Cluster>;
+@group(2) @binding(6) var<storage, read> clusters: array<Cluster>;
 
 // Triangles of a cluster: twin of `CLUSTER` in src/methods/triangle_frusta/clusters.rs.
 const CLUSTER: u32 = 32u;
@@ -31,8 +31,10 @@ const MARGIN: f32 = 1.0 / 1048576.0;
 // Both only rise or only fall with p, so that the ends of the node's box are enough.
 fn may_meet(node: Node, cluster: Cluster) -> bool {
     let light = frame.light;
-    let from_low = light.xyz - node.low * light.w;
-    let from_high = light.xyz - node.high * light.w;
+    let node_low = node.centre - node.extent;
+    let node_high = node.centre + node.extent;
+    let from_low = light.xyz - node_low * light.w;
+    let from_high = light.xyz - node_high * light.w;
     var enter = 0.0;
     var leave = select(1.0 + MARGIN, 3e38, light.w == 0.0);
     for (var axis = 0u; axis < 3u; axis++) {
@@ -44,8 +46,8 @@ fn may_meet(node: Node, cluster: Cluster) -> bool {
         }
         let near = select(cluster.high[axis], cluster.low[axis], low > 0.0);
         let far = select(cluster.low[axis], cluster.high[axis], low > 0.0);
-        let enters = vec2<f32>((near - node.low[axis]) / low, (near - node.high[axis]) / high);
-        let leaves = vec2<f32>((far - node.low[axis]) / low, (far - node.high[axis]) / high);
+        let enters = vec2<f32>((near - node_low[axis]) / low, (near - node_high[axis]) / high);
+        let leaves = vec2<f32>((far - node_low[axis]) / low, (far - node_high[axis]) / high);
         let first = min(enters.x, enters.y);
         let last = max(leaves.x, leaves.y);
         enter = max(enter, first - MARGIN * (1.0 + abs(first)));
@@ -66,7 +68,7 @@ fn cast_on_tree(number: u32, cluster: Cluster, tree: u32) {
         let box = nodes[tree + node];
         var below = 0u;
         let is_lit = atomicLoad(&dark[tree + node]) == 0u;
-        if is_lit && box.low.x <= box.high.x && may_meet(box, cluster) {
+        if is_lit && !is_empty(box) && may_meet(box, cluster) {
             if node < first_block() {
                 below = 4u * node + 1u;
             } else if !leave_part(Part(number, tree + node)) {

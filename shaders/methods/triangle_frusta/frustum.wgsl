@@ -10,23 +10,21 @@
 // Not 0 for nodes all of whose samples are in shadow.
 @group(2) @binding(4) var<storage, read_write> dark: array<atomic<u32>>;
 
+@group(2) @binding(5) var<storage, read> points: array<vec4<f32>>;
+
 // Where a box lies to a frustum.
 const OUTSIDE: u32 = 0u;
 const ACROSS: u32 = 1u;
 const INSIDE: u32 = 2u;
 
-// What rounding may do to a distance, as a part of its terms.
-const DISTANCE_ROUNDING: f32 = 1.0 / 2097152.0;
+// The middle of the distances of a box from a plane through `base`, and half their range, with what rounding may do.
+fn distances(normal: vec3<f32>, from_base: vec3<f32>, extent: vec3<f32>) -> vec2<f32> {
+    return vec2<f32>(dot(normal, from_base), dot(abs(normal), extent));
+}
 
-// The smallest and the largest distance of a box from a plane with this normal; both corners relative to a point of the plane.
-fn distances(normal: vec3<f32>, low: vec3<f32>, high: vec3<f32>) -> vec2<f32> {
-    let at_low = normal * low;
-    let at_high = normal * high;
-    let least = min(at_low, at_high);
-    let most = max(at_low, at_high);
-    let terms = max(abs(at_low), abs(at_high));
-    let rounding = DISTANCE_ROUNDING * (terms.x + terms.y + terms.z);
-    return vec2<f32>(least.x + least.y + least.z - rounding, most.x + most.y + most.z + rounding);
+// The half sides of a box that has room for what rounding may do to distances.
+fn with_room(from_base: vec3<f32>, extent: vec3<f32>) -> vec3<f32> {
+    return extent + 4.0 * ROUNDING * (abs(from_base) + abs(extent));
 }
 
 // The frustum of a triangle for tests with boxes.
@@ -55,30 +53,43 @@ fn frustum_of(caster: Caster) -> Frustum {
 
 // Where the box of a node lies.
 fn side_of(node: Node, frustum: Frustum) -> u32 {
-    if node.low.x > node.high.x {
-        return OUTSIDE;
-    }
     let planes = frustum.planes;
-    let low_a = node.low - planes.a;
-    let high_a = node.high - planes.a;
-    let low_b = node.low - planes.b;
-    let high_b = node.high - planes.b;
-    let ab = distances(planes.ab, low_a, high_a);
-    let ac = distances(planes.ac, low_a, high_a);
-    let bc = distances(planes.bc, low_b, high_b);
-    let own = distances(planes.own, low_a, high_a);
-    let at_a = distances(frustum.at_a, low_a, high_a);
-    let at_b = distances(frustum.at_b, low_b, high_b);
-    let at_c = distances(frustum.at_c, node.low - frustum.c, node.high - frustum.c);
-    if max(max(ab.x, max(ac.x, bc.x)), max(at_a.x, max(at_b.x, at_c.x))) > 0.0 || own.x >= -planes.contact {
+    let from_a = node.centre - planes.a;
+    let from_b = node.centre - planes.b;
+    let from_c = node.centre - frustum.c;
+    let about_a = with_room(from_a, node.extent);
+    let about_b = with_room(from_b, node.extent);
+    let ab = distances(planes.ab, from_a, about_a);
+    let ac = distances(planes.ac, from_a, about_a);
+    let bc = distances(planes.bc, from_b, about_b);
+    let own = distances(planes.own, from_a, about_a);
+    let at_a = distances(frustum.at_a, from_a, about_a);
+    let at_b = distances(frustum.at_b, from_b, about_b);
+    let at_c = distances(frustum.at_c, from_c, with_room(from_c, node.extent));
+    let least = max(max(ab.x - ab.y, max(ac.x - ac.y, bc.x - bc.y)), max(at_a.x - at_a.y, max(at_b.x - at_b.y, at_c.x - at_c.y)));
+    if least > 0.0 || own.x - own.y >= -planes.contact {
         return OUTSIDE;
     }
+    let most = max(ab.x + ab.y, max(ac.x + ac.y, bc.x + bc.y));
     let contact = planes.contact + planes.double_area * node.uncertainty;
-    return select(ACROSS, INSIDE, max(ab.y, max(ac.y, bc.y)) <= 0.0 && own.y < -contact);
+    return select(ACROSS, INSIDE, most <= 0.0 && own.x + own.y < -contact);
+}
+
+// Whether a point may be behind a triangle.
+fn may_be_behind(point: vec3<f32>, of_caster: Blocker) -> bool {
+    let from_a = point - of_caster.a;
+    let from_b = point - of_caster.b;
+    let about_a = 4.0 * ROUNDING * (abs(point) + abs(from_a));
+    let about_b = 4.0 * ROUNDING * (abs(point) + abs(from_b));
+    let ab = distances(of_caster.ab, from_a, about_a);
+    let ac = distances(of_caster.ac, from_a, about_a);
+    let bc = distances(of_caster.bc, from_b, about_b);
+    let own = distances(of_caster.own, from_a, about_a);
+    return max(max(ab.x - ab.y, ac.x - ac.y), max(bc.x - bc.y, own.x - own.y + of_caster.contact)) <= 0.0;
 }
 
 fn darken_if_behind(pixel: u32, of_caster: Blocker) {
-    if is_dark(pixel) {
+    if !may_be_behind(points[pixel].xyz, of_caster) || is_dark(pixel) {
         return;
     }
     let sample = samples[pixel];

@@ -17,12 +17,30 @@ const SLICES_PER_OCTAVE: f32 = 2.0;
 const MOST_SLICES: u32 = 16u;
 
 struct Node {
-    low: vec3<f32>,
+    centre: vec3<f32>,
     // The largest of any sample.
     uncertainty: f32,
-    // Below `low` where there is nothing.
-    high: vec3<f32>,
+    // Half its sides; far below 0 where there is nothing, so that it is outside of everything.
+    extent: vec3<f32>,
     unused: u32,
+}
+
+const NO_EXTENT: f32 = -1e30;
+
+// What rounding moves a number by, with something to spare.
+const ROUNDING: f32 = 1.0 / 4194304.0;
+
+fn is_empty(node: Node) -> bool {
+    return node.extent.x < 0.0;
+}
+
+fn node_of(low: vec3<f32>, high: vec3<f32>, uncertainty: f32) -> Node {
+    if low.x > high.x {
+        return Node(vec3<f32>(0.0), 0.0, vec3<f32>(NO_EXTENT), 0u);
+    }
+    let centre = 0.5 * (low + high);
+    let rounding = ROUNDING * (abs(low) + abs(high));
+    return Node(centre, uncertainty, max(high - centre, centre - low) + rounding, 0u);
 }
 
 // The first of the lowest nodes of a tree, of which there are tiles² of 4 / 3 tiles² in all.

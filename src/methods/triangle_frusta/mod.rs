@@ -88,6 +88,7 @@ impl Frusta {
             read(&samples.buffer),
             read(&tree.nodes),
             write(&tree.dark),
+            read(&tree.points),
         ];
         let with_clusters = [&inputs[..], &[read(&clusters)]].concat();
         Ok(Self {
