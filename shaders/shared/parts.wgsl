@@ -4,26 +4,34 @@
 // number them.
 @group(2) @binding(0) var<storage, read_write> parts: array<atomic<u32>>;
 
+const HEADER: u32 = 4u;
+
 struct Part {
     item: u32,
     place: u32,
 }
 
+fn room() -> u32 {
+    return (arrayLength(&parts) - HEADER) / 2u;
+}
+
 // False if there is no room.
 fn leave_part(part: Part) -> bool {
-    let at = 2u + 2u * atomicAdd(&parts[0], 1u);
-    if at + 1u >= arrayLength(&parts) {
+    let number = atomicAdd(&parts[0], 1u);
+    if number >= room() {
         return false;
     }
-    atomicStore(&parts[at], part.item);
-    atomicStore(&parts[at + 1u], part.place);
+    let word = HEADER + 2u * number;
+    atomicStore(&parts[word], part.item);
+    atomicStore(&parts[word + 1u], part.place);
     return true;
 }
 
 fn part_count() -> u32 {
-    return min(atomicLoad(&parts[0]), (arrayLength(&parts) - 2u) / 2u);
+    return min(atomicLoad(&parts[0]), room());
 }
 
 fn part_at(number: u32) -> Part {
-    return Part(atomicLoad(&parts[2u + 2u * number]), atomicLoad(&parts[3u + 2u * number]));
+    let word = HEADER + 2u * number;
+    return Part(atomicLoad(&parts[word]), atomicLoad(&parts[word + 1u]));
 }

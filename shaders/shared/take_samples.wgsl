@@ -5,6 +5,8 @@
 #include "shared/view_sample.wgsl"
 
 @group(2) @binding(2) var<storage, read_write> samples: array<ViewSample>;
+// Their points again, to be read at a first look, and a number that methods set.
+@group(2) @binding(3) var<storage, read_write> points: array<SamplePoint>;
 
 @compute @workgroup_size(8, 8)
 fn take_samples(@builtin(global_invocation_id) at: vec3<u32>) {
@@ -18,5 +20,6 @@ fn take_samples(@builtin(global_invocation_id) at: vec3<u32>) {
         return;
     }
     let point = point_seen(at.xy, id);
+    points[pixel] = SamplePoint(point.corner + point.way, 0u);
     samples[pixel] = ViewSample(point.corner, point.uncertainty, point.way, 1u);
 }

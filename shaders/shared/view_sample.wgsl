@@ -10,3 +10,10 @@ struct ViewSample {
 fn point_of(sample: ViewSample) -> SurfacePoint {
     return SurfacePoint(sample.corner, sample.way, sample.uncertainty);
 }
+
+// Its point again, to be read at a first look.
+struct SamplePoint {
+    at: vec3<f32>,
+    // What a method makes of it.
+    word: u32,
+}

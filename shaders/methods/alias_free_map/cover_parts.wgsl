@@ -22,7 +22,8 @@ fn cover_parts(
     if is_sorted {
         let end = cells[tile * TILE_WORDS + TILE_CELLS];
         for (var sample = cells[tile * TILE_WORDS] + lane; sample < end; sample += LANES) {
-            darken_if_behind(links[sample], of_caster);
+            let point = points[sample];
+            darken_if_behind(point.word, point.at, of_caster);
         }
         return;
     }
@@ -30,10 +31,10 @@ fn cover_parts(
     let face = tile / (tiles * tiles);
     let first = TILE * vec2<u32>(tile % tiles, tile / tiles % tiles);
     let covered = coverage(caster, face);
-    for (var local = lane; local < TILE_CELLS; local += LANES) {
-        let cell = first + vec2<u32>(local % TILE, local / TILE);
-        if all(cell >= covered.first) && all(cell <= covered.last) {
-            darken_cell(face, cell, covered, of_caster);
-        }
+    let low = max(first, covered.first);
+    let size = min(first + TILE, covered.last + 1u) - low;
+    for (var number = lane; number < size.x * size.y; number += LANES) {
+        let cell = low + vec2<u32>(number % size.x, number / size.x);
+        darken_cell(face, cell, covered, of_caster);
     }
 }

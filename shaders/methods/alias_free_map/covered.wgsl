@@ -5,6 +5,7 @@
 // Akenine-Möller and Ohlsson 2005) and by what rounding may do.
 
 #include "shared/blocks.wgsl"
+#include "shared/first_look.wgsl"
 #include "shared/view_sample.wgsl"
 #include "shared/parts.wgsl"
 #include "methods/alias_free_map/light_map.wgsl"
@@ -12,10 +13,11 @@
 @group(2) @binding(1) var<storage, read> casters: array<Caster>;
 @group(2) @binding(2) var<storage, read> samples: array<ViewSample>;
 @group(2) @binding(3) var<storage, read> ranges: array<Range>;
-// The first of each list: a pixel plus 1, or where it is in `links`.
+// The first of each list: a pixel plus 1, or where it is in `points`.
 @group(2) @binding(4) var<storage, read> cells: array<u32>;
-// The next of each list: a pixel plus 1; or all lists one after another.
-@group(2) @binding(5) var<storage, read> links: array<u32>;
+// Points of samples, one a pixel, each with the next of its list, a pixel plus 1; or all lists one after another, each point
+// with its pixel.
+@group(2) @binding(5) var<storage, read> points: array<SamplePoint>;
 
 // Cells by which an edge is moved out for rounding.
 const MARGIN: f32 = 1.0 / 16.0;
@@ -129,8 +131,9 @@ fn coverage(caster: Caster, face_number: u32) -> Coverage {
     return covered;
 }
 
-fn darken_if_behind(pixel: u32, of_caster: Blocker) {
-    if !is_dark(pixel) && is_behind(point_of(samples[pixel]), of_caster, 0.0) {
+fn darken_if_behind(pixel: u32, point: vec3<f32>, of_caster: Blocker) {
+    let may_be = may_be_behind(point, of_caster) && !is_dark(pixel);
+    if may_be && is_behind(point_of(samples[pixel]), of_caster, 0.0) {
         darken(pixel);
     }
 }
@@ -139,12 +142,16 @@ fn darken_list(cell: u32, of_caster: Blocker) {
     if is_sorted {
         let end = cells[cell + 1u];
         for (var at = cells[cell]; at < end; at++) {
-            darken_if_behind(links[at], of_caster);
+            let point = points[at];
+            darken_if_behind(point.word, point.at, of_caster);
         }
         return;
     }
-    for (var at = cells[cell]; at != 0u; at = links[at - 1u]) {
-        darken_if_behind(at - 1u, of_caster);
+    var at = cells[cell];
+    while at != 0u {
+        let point = points[at - 1u];
+        darken_if_behind(at - 1u, point.at, of_caster);
+        at = point.word;
     }
 }
 

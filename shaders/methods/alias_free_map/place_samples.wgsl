@@ -8,8 +8,8 @@
 @group(2) @binding(0) var<storage, read_write> samples: array<ViewSample>;
 @group(2) @binding(1) var<storage, read> ranges: array<Range>;
 @group(2) @binding(2) var<storage, read_write> cells: array<atomic<u32>>;
-// The next pixel of the list plus 1, or how many came before.
-@group(2) @binding(3) var<storage, read_write> links: array<u32>;
+// Each with the next pixel of the list plus 1, or how many came before.
+@group(2) @binding(3) var<storage, read_write> points: array<SamplePoint>;
 
 @compute @workgroup_size(8, 8)
 fn place_samples(@builtin(global_invocation_id) at: vec3<u32>) {
@@ -31,9 +31,9 @@ fn place_samples(@builtin(global_invocation_id) at: vec3<u32>) {
     let of_tile = tile_index(face_number, cell / TILE) * TILE_WORDS + TILE_CELLS;
     if is_sorted {
         samples[pixel].place = 1u + index;
-        links[pixel] = atomicAdd(&cells[index], 1u);
+        points[pixel].word = atomicAdd(&cells[index], 1u);
     } else {
-        links[pixel] = atomicExchange(&cells[index], pixel + 1u);
+        points[pixel].word = atomicExchange(&cells[index], pixel + 1u);
     }
     atomicStore(&cells[of_tile], 1u);
 }

@@ -7,9 +7,10 @@
 
 @group(2) @binding(0) var<storage, read> samples: array<ViewSample>;
 @group(2) @binding(1) var<storage, read> cells: array<u32>;
-// How many samples of its cell came before.
-@group(2) @binding(2) var<storage, read> links: array<u32>;
-@group(2) @binding(3) var<storage, read_write> order: array<u32>;
+// Each with how many samples of its cell came before.
+@group(2) @binding(2) var<storage, read> points: array<SamplePoint>;
+// Each with its pixel.
+@group(2) @binding(3) var<storage, read_write> sorted: array<SamplePoint>;
 
 @compute @workgroup_size(8, 8)
 fn sort_samples(@builtin(global_invocation_id) at: vec3<u32>) {
@@ -19,6 +20,7 @@ fn sort_samples(@builtin(global_invocation_id) at: vec3<u32>) {
     let pixel = pixel_at(at.xy);
     let place = samples[pixel].place;
     if place != 0u {
-        order[cells[place - 1u] + links[pixel]] = pixel;
+        let point = points[pixel];
+        sorted[cells[place - 1u] + point.word] = SamplePoint(point.at, pixel);
     }
 }

@@ -8,9 +8,6 @@
 @group(2) @binding(0) var<storage, read_write> samples: array<ViewSample>;
 @group(2) @binding(1) var<storage, read_write> nodes: array<Node>;
 
-// The points of samples again, to be read at a first look.
-@group(2) @binding(2) var<storage, read_write> points: array<vec4<f32>>;
-
 struct Range {
     low: vec3<f32>,
     high: vec3<f32>,
@@ -39,7 +36,6 @@ fn bound_tiles(@builtin(global_invocation_id) at: vec3<u32>, @builtin(num_workgr
                 continue;
             }
             let point = sample.corner + sample.way;
-            points[pixel] = vec4<f32>(point, 0.0);
             var slice = 0u;
             if slices > 1u {
                 slice = slice_of(point);

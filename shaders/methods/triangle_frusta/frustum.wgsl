@@ -1,5 +1,6 @@
 // A triangle's shadow frustum against boxes and samples. Needs shared/frame.wgsl and shared/pixels.wgsl.
 #include "shared/blocks.wgsl"
+#include "shared/first_look.wgsl"
 #include "shared/view_sample.wgsl"
 #include "shared/parts.wgsl"
 #include "methods/triangle_frusta/tree.wgsl"
@@ -10,22 +11,12 @@
 // Not 0 for nodes all of whose samples are in shadow.
 @group(2) @binding(4) var<storage, read_write> dark: array<atomic<u32>>;
 
-@group(2) @binding(5) var<storage, read> points: array<vec4<f32>>;
+@group(2) @binding(5) var<storage, read> points: array<SamplePoint>;
 
 // Where a box lies to a frustum.
 const OUTSIDE: u32 = 0u;
 const ACROSS: u32 = 1u;
 const INSIDE: u32 = 2u;
-
-// The middle of the distances of a box from a plane through `base`, and half their range, with what rounding may do.
-fn distances(normal: vec3<f32>, from_base: vec3<f32>, extent: vec3<f32>) -> vec2<f32> {
-    return vec2<f32>(dot(normal, from_base), dot(abs(normal), extent));
-}
-
-// The half sides of a box that has room for what rounding may do to distances.
-fn with_room(from_base: vec3<f32>, extent: vec3<f32>) -> vec3<f32> {
-    return extent + 4.0 * ROUNDING * (abs(from_base) + abs(extent));
-}
 
 // The frustum of a triangle for tests with boxes.
 struct Frustum {
@@ -75,21 +66,8 @@ fn side_of(node: Node, frustum: Frustum) -> u32 {
     return select(ACROSS, INSIDE, most <= 0.0 && own.x + own.y < -contact);
 }
 
-// Whether a point may be behind a triangle.
-fn may_be_behind(point: vec3<f32>, of_caster: Blocker) -> bool {
-    let from_a = point - of_caster.a;
-    let from_b = point - of_caster.b;
-    let about_a = 4.0 * ROUNDING * (abs(point) + abs(from_a));
-    let about_b = 4.0 * ROUNDING * (abs(point) + abs(from_b));
-    let ab = distances(of_caster.ab, from_a, about_a);
-    let ac = distances(of_caster.ac, from_a, about_a);
-    let bc = distances(of_caster.bc, from_b, about_b);
-    let own = distances(of_caster.own, from_a, about_a);
-    return max(max(ab.x - ab.y, ac.x - ac.y), max(bc.x - bc.y, own.x - own.y + of_caster.contact)) <= 0.0;
-}
-
 fn darken_if_behind(pixel: u32, of_caster: Blocker) {
-    if !may_be_behind(points[pixel].xyz, of_caster) || is_dark(pixel) {
+    if !may_be_behind(points[pixel].at, of_caster) || is_dark(pixel) {
         return;
     }
     let sample = samples[pixel];

@@ -25,10 +25,9 @@ struct Node {
     unused: u32,
 }
 
+// What rounding moves a corner by, as a part of its coordinates.
+const OF_BOX: f32 = 1.0 / 4194304.0;
 const NO_EXTENT: f32 = -1e30;
-
-// What rounding moves a number by, with something to spare.
-const ROUNDING: f32 = 1.0 / 4194304.0;
 
 fn is_empty(node: Node) -> bool {
     return node.extent.x < 0.0;
@@ -39,7 +38,7 @@ fn node_of(low: vec3<f32>, high: vec3<f32>, uncertainty: f32) -> Node {
         return Node(vec3<f32>(0.0), 0.0, vec3<f32>(NO_EXTENT), 0u);
     }
     let centre = 0.5 * (low + high);
-    let rounding = ROUNDING * (abs(low) + abs(high));
+    let rounding = OF_BOX * (abs(low) + abs(high));
     return Node(centre, uncertainty, max(high - centre, centre - low) + rounding, 0u);
 }
 

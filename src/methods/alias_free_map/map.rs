@@ -5,7 +5,7 @@ use crate::frame::{FrameResources, Input, PixelCompute, PixelKernel, read, write
 use crate::geometry::rays::casters;
 use crate::gpu::DeviceError;
 use crate::methods::PrepareContext;
-use crate::methods::parts::Parts;
+use crate::methods::parts::{PartKernel, Parts};
 use crate::methods::view_samples::ViewSamples;
 use wgpu::BufferUsages as Usage;
 
@@ -59,7 +59,6 @@ impl LightMap {
         let cell_words = tile_count * TILE_WORDS;
         let cells = maker.words("the cells of a light's map", cell_words, Usage::COPY_DST)?;
         let ranges = maker.words("the ranges of a light's map", 4 * FACES, Usage::COPY_DST)?;
-        let links = maker.words("the links of samples", samples.count, Usage::empty())?;
         let of_samples = &samples.buffer;
         let inputs = [read(of_samples), write(&ranges)];
         let fit = maker.kernel("fit", &inputs);
@@ -67,14 +66,14 @@ impl LightMap {
             write(of_samples),
             read(&ranges),
             write(&cells),
-            write(&links),
+            write(&samples.points),
         ];
         let place_samples = maker.kernel("place_samples", &inputs);
         let sort = match is_sorted {
-            true => Some(Sort::new(&maker, samples, (&cells, &links))?),
+            true => Some(Sort::new(&maker, samples, &cells)?),
             false => None,
         };
-        let listed = sort.as_ref().map_or(&links, |sort| &sort.order);
+        let listed = sort.as_ref().map_or(&samples.points, |sort| &sort.points);
         let read_by_triangles = [&casters, of_samples, &ranges, &cells, listed].map(read);
         Ok(Some(Self {
             cover: Cover::new(&maker, &read_by_triangles, triangles.len() as u32)?,
@@ -124,7 +123,7 @@ impl LightMap {
 struct Sort {
     taken: wgpu::Buffer,
     /// All lists, one after another.
-    order: wgpu::Buffer,
+    points: wgpu::Buffer,
     allot: PixelCompute,
     sort_samples: PixelCompute,
 }
@@ -133,21 +132,21 @@ impl Sort {
     fn new(
         maker: &Maker<'_>,
         samples: &ViewSamples,
-        (cells, links): (&wgpu::Buffer, &wgpu::Buffer),
+        cells: &wgpu::Buffer,
     ) -> Result<Self, DeviceError> {
-        let order = maker.words("the order of samples", samples.count, Usage::empty())?;
+        let points = maker.words("sorted points", 4 * samples.count, Usage::empty())?;
         let taken = maker.words("how many samples are sorted", 4, Usage::COPY_DST)?;
         let inputs = [
             read(&samples.buffer),
             read(cells),
-            read(links),
-            write(&order),
+            read(&samples.points),
+            write(&points),
         ];
         Ok(Self {
             allot: maker.kernel("allot", &[write(cells), write(&taken)]),
             sort_samples: maker.kernel("sort_samples", &inputs),
             taken,
-            order,
+            points,
         })
     }
 }
@@ -156,7 +155,7 @@ impl Sort {
 struct Cover {
     parts: Parts,
     cover: PixelCompute,
-    cover_parts: PixelCompute,
+    cover_parts: PartKernel,
     triangle_count: u32,
 }
 
@@ -168,9 +167,10 @@ impl Cover {
     ) -> Result<Self, DeviceError> {
         let parts = Parts::new(maker.context)?;
         let inputs = [&[write(&parts.buffer)], inputs].concat();
+        let cover_parts = maker.kernel("cover_parts", &inputs);
         Ok(Self {
             cover: maker.kernel("cover", &inputs),
-            cover_parts: maker.kernel("cover_parts", &inputs),
+            cover_parts: parts.kernel(maker.context, cover_parts)?,
             parts,
             triangle_count,
         })
@@ -178,7 +178,7 @@ impl Cover {
 
     fn record(&self, pass: &mut wgpu::ComputePass<'_>, resources: &FrameResources) {
         self.cover.times(pass, resources, self.triangle_count);
-        self.parts.run(&self.cover_parts, pass, resources);
+        self.cover_parts.record(pass, resources);
     }
 }
 

@@ -4,7 +4,7 @@
 mod clusters;
 mod tree;
 
-use super::parts::Parts;
+use super::parts::{PartKernel, Parts};
 use super::view_samples::ViewSamples;
 use super::{Limit, MethodError, MethodInfo, PrepareContext, ShadowMethod, ray_limits};
 use crate::frame::{Frame, PixelCompute, PreparedMethod, read, write};
@@ -64,7 +64,7 @@ struct Frusta {
     parts: Parts,
     /// Of those that face the light, and of the others.
     cast_clusters: [PixelCompute; 2],
-    cast_parts: PixelCompute,
+    cast_blocks: PartKernel,
     cluster_count: u32,
 }
 
@@ -88,15 +88,16 @@ impl Frusta {
             read(&samples.buffer),
             read(&tree.nodes),
             write(&tree.dark),
-            read(&tree.points),
+            read(&samples.points),
         ];
         let with_clusters = [&inputs[..], &[read(&clusters)]].concat();
+        let cast_blocks = tree.kernel(context, "cast_blocks", &[], &inputs);
         Ok(Self {
             cast_clusters: [1.0, 0.0].map(|is_facing| {
                 let constants = [("is_facing", is_facing)];
                 tree.kernel(context, "cast_clusters", &constants, &with_clusters)
             }),
-            cast_parts: tree.kernel(context, "cast_parts", &[], &inputs),
+            cast_blocks: parts.kernel(context, cast_blocks)?,
             samples,
             tree,
             parts,
@@ -135,7 +136,7 @@ impl PreparedMethod for Prepared {
                 frusta.parts.clear(encoder);
                 let mut pass = encoder.begin_compute_pass(&pass);
                 cast_clusters.times(&mut pass, resources, frusta.cluster_count);
-                frusta.parts.run(&frusta.cast_parts, &mut pass, resources);
+                frusta.cast_blocks.record(&mut pass, resources);
                 frusta.tree.darken(&mut pass, resources);
             }
             resources.give_mask(encoder);

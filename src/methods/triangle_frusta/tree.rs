@@ -12,8 +12,6 @@ const TILE: u32 = 4;
 const BLOCK_TILES: u32 = 4;
 /// Bytes of a node.
 const NODE_BYTES: u64 = 32;
-/// Bytes of a point.
-const POINT_BYTES: u64 = 16;
 
 /// The boxes of one picture, in a tree for each slice of depth.
 pub(super) struct SampleTree {
@@ -21,8 +19,6 @@ pub(super) struct SampleTree {
     pub(super) nodes: wgpu::Buffer,
     /// A word for each, not 0 where all its samples are in shadow.
     pub(super) dark: wgpu::Buffer,
-    /// The point of each sample.
-    pub(super) points: wgpu::Buffer,
     size: Size,
     bound_tiles: PixelCompute,
     bound_nodes: Levels,
@@ -93,9 +89,7 @@ impl SampleTree {
         let nodes = gpu.empty_buffer("boxes of tiles", NODE_BYTES * count, Usage::STORAGE)?;
         let usage = Usage::STORAGE | Usage::COPY_DST;
         let dark = gpu.empty_buffer("tiles in shadow", 4 * count, usage)?;
-        let bytes = POINT_BYTES * u64::from(samples.count);
-        let points = gpu.empty_buffer("points of a picture", bytes, Usage::STORAGE)?;
-        let inputs = [write(&samples.buffer), write(&nodes), write(&points)];
+        let inputs = [write(&samples.buffer), write(&nodes)];
         let bound_tiles = size.kernel(context, "bound_tiles", &[], &inputs);
         let inputs = [read(&samples.buffer), write(&dark)];
         Ok(Self {
@@ -104,7 +98,6 @@ impl SampleTree {
             darken_nodes: Levels::new(context, size, "darken_nodes", &dark),
             nodes,
             dark,
-            points,
             size,
             bound_tiles,
         })

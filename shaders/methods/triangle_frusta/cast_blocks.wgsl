@@ -1,4 +1,4 @@
-// Holds the triangles of a cluster against a block of tiles: a workgroup a block.
+// Holds the triangles of a cluster against a block of tiles, a workgroup a block.
 #include "shared/frame.wgsl"
 #include "shared/pixels.wgsl"
 #include "methods/triangle_frusta/frustum.wgsl"
@@ -7,7 +7,7 @@
 const CLUSTER: u32 = 32u;
 
 @compute @workgroup_size(CLUSTER)
-fn cast_parts(
+fn cast_blocks(
     @builtin(workgroup_id) workgroup: vec3<u32>,
     @builtin(num_workgroups) workgroups: vec3<u32>,
     @builtin(local_invocation_index) lane: u32,
