@@ -62,6 +62,7 @@ fn rays(criterion: &mut Criterion) {
             rows: 10,
             columns: 10,
             slices,
+            shells: 1,
         };
         let Ok(mesh) = grid.mesh() else { continue };
         let named = |what| BenchmarkId::new(what, mesh.triangles.len());

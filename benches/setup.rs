@@ -11,16 +11,19 @@ const LARGEST: SphereGrid = SphereGrid {
     rows: 10,
     columns: 10,
     slices: 140,
+    shells: 1,
 };
 const SINGLE_MILLION: SphereGrid = SphereGrid {
     rows: 1,
     columns: 1,
     slices: 1000,
+    shells: 1,
 };
 const MANY_OBJECTS: SphereGrid = SphereGrid {
     rows: 120,
     columns: 130,
     slices: 8,
+    shells: 1,
 };
 
 fn generation(criterion: &mut Criterion) {

@@ -21,6 +21,7 @@ fn grid(slices: u32) -> Option<Mesh> {
         rows: 10,
         columns: 10,
         slices,
+        shells: 1,
     };
     grid.mesh().ok()
 }

@@ -18,6 +18,7 @@ fn verification(criterion: &mut Criterion) {
         rows: 10,
         columns: 10,
         slices: 60,
+        shells: 1,
     };
     let view = View {
         eye: Vec3::new(18.0, 12.0, 18.0),

@@ -73,14 +73,19 @@ pub(super) fn name_cell(
 }
 
 impl<'a> CellRun<'a> {
-    pub(super) fn new(run: &RunPlan, plan: &'a MethodPlan, scene: &Scene) -> Self {
+    pub(super) fn new(
+        run: &RunPlan,
+        plan: &'a MethodPlan,
+        scene: &Scene,
+        size_px: (u32, u32),
+    ) -> Self {
         Self {
             plan,
             time: TimeLimit::new(run.cell_timeout),
             cell: Cell {
                 triangles: Some(scene.mesh.caster_triangle_count() as u64),
                 objects: Some(scene.mesh.caster_object_count() as u64),
-                ..name_cell(&scene.name, plan.method.as_ref(), run.size_px)
+                ..name_cell(&scene.name, plan.method.as_ref(), size_px)
             },
             state: State::Planned,
             bias: None,

@@ -17,7 +17,11 @@ pub(super) trait Executor {
     fn check_mesh(&self, triangles: u64) -> anyhow::Result<()>;
 
     /// Makes `scene` ready for its cells, on a device that is opened again where it was lost.
-    fn open<'a>(&'a mut self, scene: &'a Scene) -> anyhow::Result<Box<dyn Session + 'a>>;
+    fn open<'a>(
+        &'a mut self,
+        scene: &'a Scene,
+        size_px: (u32, u32),
+    ) -> anyhow::Result<Box<dyn Session + 'a>>;
 }
 
 /// A scene on a device. Cells are known by their place among the scene's cells; what is made for one is kept until

@@ -41,7 +41,7 @@ pub(super) fn run_scene(
             return Ok(not_loaded(plan, scene, &error));
         }
     };
-    let mut run = SceneRun::new(watched, &loaded);
+    let mut run = SceneRun::new(watched, &loaded, scene.size_px);
     match check_views(plan, &loaded) {
         Ok(()) => run.on_devices(executor, dir)?,
         Err(error) => {
@@ -68,7 +68,7 @@ fn not_loaded(run: &RunPlan, plan: &ScenePlan, error: &anyhow::Error) -> SceneOu
     // With its causes: a scene's own error may not say which line of its model is at fault.
     let reason = in_one_line(error);
     let summary = |method: &MethodPlan| {
-        let cell = name_cell(&plan.file.name, method.method.as_ref(), run.size_px);
+        let cell = name_cell(&plan.file.name, method.method.as_ref(), run.size_of(plan));
         Summary::from_samples(&cell, &[], &[], status, &reason)
     };
     SceneOutcome {
@@ -76,6 +76,7 @@ fn not_loaded(run: &RunPlan, plan: &ScenePlan, error: &anyhow::Error) -> SceneOu
         record: SceneRecord {
             name: plan.file.name.clone(),
             title: plan.file.title.clone(),
+            size_px: plan.size_px,
             triangles: None,
             objects: None,
             mesh_hash: String::new(),
@@ -111,6 +112,8 @@ fn check_views(plan: &RunPlan, scene: &Scene) -> Result<(), FrameError> {
 struct SceneRun<'a> {
     watched: Watched<'a>,
     scene: &'a Scene,
+    /// Of its pictures, where they are not those of the run.
+    size_px: Option<(u32, u32)>,
     cells: Vec<CellRun<'a>>,
     edges: Option<EdgeRecord>,
     /// Why nothing of it goes on, if that is so.
@@ -119,12 +122,14 @@ struct SceneRun<'a> {
 }
 
 impl<'a> SceneRun<'a> {
-    fn new(watched: Watched<'a>, scene: &'a Scene) -> Self {
+    fn new(watched: Watched<'a>, scene: &'a Scene, size_px: Option<(u32, u32)>) -> Self {
         let plan = watched.plan;
-        let cell = |method| CellRun::new(plan, method, scene);
+        let cell_px = size_px.unwrap_or(plan.size_px);
+        let cell = |method| CellRun::new(plan, method, scene, cell_px);
         Self {
             watched,
             scene,
+            size_px,
             cells: plan.methods.iter().map(cell).collect(),
             edges: None,
             failure: None,
@@ -139,8 +144,9 @@ impl<'a> SceneRun<'a> {
         executor: &mut dyn Executor,
         dir: &mut RunDir,
     ) -> Result<(), RunDirError> {
+        let size_px = self.size_px.unwrap_or(self.watched.plan.size_px);
         loop {
-            let mut session = match executor.open(self.scene) {
+            let mut session = match executor.open(self.scene, size_px) {
                 Ok(session) => session,
                 Err(error) => {
                     self.fail(&in_one_line(&error));
@@ -214,7 +220,10 @@ impl<'a> SceneRun<'a> {
             }
         }
         SceneOutcome {
-            record: scene_record(self.scene, self.edges, self.failure),
+            record: SceneRecord {
+                size_px: self.size_px,
+                ..scene_record(self.scene, self.edges, self.failure)
+            },
             methods: self.cells.iter().map(CellRun::method_record).collect(),
             summaries: self.cells.iter().map(|run| run.summary(verified)).collect(),
             warnings,
@@ -227,6 +236,7 @@ fn scene_record(scene: &Scene, edges: Option<EdgeRecord>, failure: Option<String
     SceneRecord {
         name: scene.name.clone(),
         title: scene.title.clone(),
+        size_px: None,
         triangles: Some(scene.mesh.caster_triangle_count() as u64),
         objects: Some(scene.mesh.caster_object_count() as u64),
         mesh_hash: scene.mesh_hash.clone(),

@@ -87,7 +87,11 @@ impl Executor for &StandIn {
         Ok(())
     }
 
-    fn open<'a>(&'a mut self, scene: &'a Scene) -> anyhow::Result<Box<dyn Session + 'a>> {
+    fn open<'a>(
+        &'a mut self,
+        scene: &'a Scene,
+        _size_px: (u32, u32),
+    ) -> anyhow::Result<Box<dyn Session + 'a>> {
         let trouble = self.ask(format!("open {}", scene.name));
         anyhow::ensure!(trouble.is_none(), "it does not open");
         Ok(Box::new(StandInSession {

@@ -50,7 +50,8 @@ pub(super) fn verify_cells(
                 }
             };
             if frame == 0 && depth == depths[0] {
-                let image = Image::grey(watched.plan.size_px, &truth);
+                let size_px = cells.first().map(|run| (run.cell.width, run.cell.height));
+                let image = Image::grey(size_px.unwrap_or_default(), &truth);
                 let nobody = Variant::default();
                 dir.write_image((&scene.name, "", &nobody), ImageKind::Reference, &image)?;
             }
@@ -95,7 +96,8 @@ fn keep(
     run: &mut CellRun<'_>,
     dir: &mut RunDir,
 ) -> Result<(), RunDirError> {
-    let (cell, size_px) = (&run.cell, watched.plan.size_px);
+    let cell = &run.cell;
+    let size_px = (cell.width, cell.height);
     for (kind, pixels) in &found.images {
         let image = match kind {
             ImageKind::Picture => Image::rgba(size_px, pixels),

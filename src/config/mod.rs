@@ -26,6 +26,8 @@ pub struct ScenePlan {
     pub file: SceneFile,
     /// Where its models are looked for.
     pub search: ModelSearch,
+    /// Width and height of its pictures, where they are not those of the run.
+    pub size_px: Option<(u32, u32)>,
 }
 
 /// A method to measure.
@@ -68,11 +70,11 @@ pub enum VerifiedFrames {
     Every(u32),
 }
 
-/// What to measure: the matrix of scenes × methods at one size.
+/// What to measure: the matrix of scenes × methods.
 pub struct RunPlan {
     /// What the run is about.
     pub title: String,
-    /// Width and height of the picture.
+    /// Width and height of the pictures of scenes that have none of their own.
     pub size_px: (u32, u32),
     /// Frames measured in each cell, evenly spaced along the flight.
     pub frames: u32,
@@ -102,6 +104,11 @@ pub struct RunPlan {
 const BIAS_VIEWS: usize = 3;
 
 impl RunPlan {
+    /// Width and height of a scene's pictures.
+    pub fn size_of(&self, scene: &ScenePlan) -> (u32, u32) {
+        scene.size_px.unwrap_or(self.size_px)
+    }
+
     /// Frames drawn for one cell.
     pub fn steps_per_cell(&self) -> u64 {
         u64::from(self.warmup_frames) + u64::from(self.frames) + u64::from(self.verified_frames())

@@ -65,6 +65,8 @@ struct SceneWire {
     rows: Option<u32>,
     columns: Option<u32>,
     slices: Option<Spanned<u32>>,
+    shells: Option<u32>,
+    size: Option<Spanned<Exactly<u32, 2>>>,
     scales: Option<Vec<Spanned<String>>>,
 }
 
@@ -224,14 +226,11 @@ fn parse(text: &str, base: &Path, scale: &str, registry: &Registry) -> Result<Ru
         span: None,
         message: format!("--scale: {message}"),
     })?;
-    let Exactly([width, height]) = *wire.size.get_ref();
-    if let Err(message) = check_size((width, height)) {
-        return Err(Misplaced::new(wire.size.span(), message));
-    }
+    let size_px = picture_size(&wire.size)?;
     let verified_frames = verified_frames(&wire)?;
     Ok(RunPlan {
         title: wire.title,
-        size_px: (width, height),
+        size_px,
         frames: in_range(&wire.frames, "frames", 1, MAX_FRAMES)?,
         warmup_frames: in_range(&wire.warmup_frames, "warmup_frames", 0, MAX_FRAMES)?,
         lead_in: in_range(&wire.lead_in, "lead_in", 0, MAX_LEAD_IN)?,
@@ -292,6 +291,12 @@ fn verified_frames(wire: &RunWire) -> Result<VerifiedFrames, Misplaced> {
     }
 }
 
+fn picture_size(wire: &Spanned<Exactly<u32, 2>>) -> Result<(u32, u32), Misplaced> {
+    let Exactly([width, height]) = *wire.get_ref();
+    check_size((width, height)).map_err(|message| Misplaced::new(wire.span(), message))?;
+    Ok((width, height))
+}
+
 fn read_scenes(wires: &[SceneWire], base: &Path) -> Result<Vec<ScenePlan>, Misplaced> {
     let mut scenes: Vec<ScenePlan> = Vec::new();
     for wire in wires {
@@ -311,10 +316,17 @@ fn read_scenes(wires: &[SceneWire], base: &Path) -> Result<Vec<ScenePlan>, Mispl
 
 fn read_scene(wire: &SceneWire, base: &Path) -> Result<ScenePlan, Misplaced> {
     let misplaced = |message: String| Misplaced::new(wire.scene.span(), message);
-    let ScenePlan { mut file, search } =
-        find_scene(wire.scene.get_ref(), base).map_err(|error| misplaced(error.0))?;
+    let ScenePlan {
+        mut file, search, ..
+    } = find_scene(wire.scene.get_ref(), base).map_err(|error| misplaced(error.0))?;
     let slices = wire.slices.as_ref();
-    if wire.rows.is_some() || wire.columns.is_some() || slices.is_some() {
+    if let Some(shells) = wire.shells {
+        file = file
+            .with_shells(shells)
+            .map_err(|error| misplaced(scene_lookup::chain(&error)))?;
+    }
+    let is_other_grid = wire.rows.is_some() || wire.columns.is_some() || wire.shells.is_some();
+    if is_other_grid || slices.is_some() {
         file = file
             .with_sphere_grid(
                 wire.rows,
@@ -334,7 +346,15 @@ fn read_scene(wire: &SceneWire, base: &Path) -> Result<ScenePlan, Misplaced> {
                 Misplaced::new(span, scene_lookup::chain(&error))
             })?;
     }
-    Ok(ScenePlan { file, search })
+    let size_px = wire.size.as_ref().map(picture_size).transpose()?;
+    if let Some(size_px) = size_px {
+        file = file.at_size(size_px);
+    }
+    Ok(ScenePlan {
+        file,
+        search,
+        size_px,
+    })
 }
 
 pub(crate) fn check_size((width, height): (u32, u32)) -> Result<(), String> {

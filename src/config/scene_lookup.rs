@@ -37,6 +37,7 @@ pub fn find_scene(name: impl AsRef<Path>, base: &Path) -> Result<ScenePlan, Conf
         return Ok(ScenePlan {
             file,
             search: ModelSearch::for_scene_file(path),
+            size_px: None,
         });
     }
     // What comes with the program has plain names.
@@ -61,6 +62,7 @@ pub fn find_scene(name: impl AsRef<Path>, base: &Path) -> Result<ScenePlan, Conf
     Ok(ScenePlan {
         file,
         search: ModelSearch::for_scene_file(&path),
+        size_px: None,
     })
 }
 

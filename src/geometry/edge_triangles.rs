@@ -164,6 +164,7 @@ mod tests {
             rows: 2,
             columns: 2,
             slices: 6,
+            shells: 1,
         };
         let mesh = grid.mesh().unwrap();
         let topology = Topology::build(&mesh);

@@ -12,6 +12,7 @@ fn every_caster_is_inside_and_the_rim_is_used() {
         rows: 3,
         columns: 4,
         slices: 8,
+        shells: 1,
     }
     .mesh()
     .expect("valid grid");
@@ -42,6 +43,7 @@ fn a_light_among_the_casters_covers_a_part() {
         rows: 10,
         columns: 10,
         slices: 8,
+        shells: 1,
     }
     .mesh()
     .expect("valid grid");

@@ -138,6 +138,9 @@ pub struct SceneRecord {
     pub name: String,
     /// Name for people.
     pub title: String,
+    /// Width and height of its pictures, where they are not those of the run.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub size_px: Option<(u32, u32)>,
     /// Triangles that cast.
     pub triangles: Option<u64>,
     /// Objects that cast, each its own draw call.

@@ -28,6 +28,7 @@ pub(super) const HOSTILE: &str = "<script>alert(1)</script>";
 
 pub(super) fn info(scenes: &[&str], methods: &[&str]) -> RunInfo {
     let scene = |name: &&str| SceneRecord {
+        size_px: None,
         name: (*name).to_owned(),
         title: String::new(),
         triangles: Some(1000),

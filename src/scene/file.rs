@@ -85,6 +85,7 @@ impl SceneFile {
             rows: rows.unwrap_or(grid.rows),
             columns: columns.unwrap_or(grid.columns),
             slices: slices.unwrap_or(grid.slices),
+            shells: grid.shells,
         };
         let scene = &self.name;
         grid.validate().map_err(|source| SceneError::SphereGrid {
@@ -95,8 +96,13 @@ impl SceneFile {
             rows,
             columns,
             slices,
+            shells,
         } = *grid;
-        self.title = format!("Sphere grid {rows} × {columns}, {slices} slices");
+        let nested = match shells {
+            1 => String::new(),
+            _ => format!(", {shells} shells"),
+        };
+        self.title = format!("Sphere grid {rows} × {columns}, {slices} slices{nested}");
         // Variants of one grid are a family: same name, ending in the number of slices.
         let grid_name = &self.name;
         self.name = if (rows, columns) == file_size {
@@ -109,6 +115,26 @@ impl SceneFile {
             objects: grid.sphere_count(),
         });
         Ok(self)
+    }
+
+    /// With so many shells about each centre, before [`Self::with_sphere_grid`]; the scene is called after them.
+    ///
+    /// # Errors
+    /// When its mesh is no sphere grid.
+    pub fn with_shells(mut self, shells: u32) -> Result<Self, SceneError> {
+        let MeshSource::SphereGrid(grid) = &mut self.mesh else {
+            return Err(SceneError::NotASphereGrid { scene: self.name });
+        };
+        grid.shells = shells;
+        self.name = format!("{}_d{shells}", self.name);
+        Ok(self)
+    }
+
+    /// In pictures of this size, which the scene is called after.
+    pub fn at_size(mut self, (width, height): (u32, u32)) -> Self {
+        self.name = format!("{}_{width}x{height}px", self.name);
+        self.title = format!("{}, {width} × {height} px", self.title);
+        self
     }
 
     /// Loads the mesh and compares it with what the file expects.

@@ -30,18 +30,25 @@ pub struct SphereGrid {
     pub columns: u32,
     /// Slices of a sphere, around its axis; even.
     pub slices: u32,
+    /// Spheres about each centre, from the largest inwards, by equal steps: 1 for the spheres of the paper. A ray through the
+    /// middle meets twice as many surfaces.
+    pub shells: u32,
 }
 
 /// Why a sphere grid cannot be built.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum SphereGridError {
-    /// No rows or no columns.
-    #[error("a sphere grid needs at least one row and one column, not {rows} × {columns}")]
+    /// No rows, no columns or no shells.
+    #[error(
+        "a sphere grid needs at least one row, one column and one shell, not {rows} × {columns} with {shells}"
+    )]
     NoSpheres {
         /// The rows asked for.
         rows: u32,
         /// The columns asked for.
         columns: u32,
+        /// The shells asked for.
+        shells: u32,
     },
     /// An odd number of slices, or fewer than four.
     #[error("a sphere needs an even number of slices, at least 4, not {slices}")]
@@ -51,7 +58,7 @@ pub enum SphereGridError {
     },
     /// More than 32-bit indices reach.
     #[error(
-        "{rows} × {columns} spheres of {slices}² triangles are more than {MAX_TRIANGLES}; \
+        "{rows} × {columns} × {shells} spheres of {slices}² triangles are more than {MAX_TRIANGLES}; \
          use fewer spheres or slices"
     )]
     TooLarge {
@@ -61,6 +68,8 @@ pub enum SphereGridError {
         columns: u32,
         /// The slices asked for.
         slices: u32,
+        /// The shells asked for.
+        shells: u32,
     },
     /// More than fits into memory.
     #[error("a sphere grid of {triangles} triangles {source}; use fewer spheres or slices")]
@@ -87,7 +96,7 @@ impl SphereGrid {
 
     /// How many spheres there are.
     pub fn sphere_count(self) -> u64 {
-        u64::from(self.rows) * u64::from(self.columns)
+        (u64::from(self.rows) * u64::from(self.columns)).saturating_mul(self.shells.into())
     }
 
     /// Says what is wrong with the numbers, if anything.
@@ -96,9 +105,14 @@ impl SphereGrid {
             rows,
             columns,
             slices,
+            shells,
         } = self;
-        if rows == 0 || columns == 0 {
-            return Err(SphereGridError::NoSpheres { rows, columns });
+        if rows == 0 || columns == 0 || shells == 0 {
+            return Err(SphereGridError::NoSpheres {
+                rows,
+                columns,
+                shells,
+            });
         }
         if slices < 4 || !slices.is_multiple_of(2) {
             return Err(SphereGridError::Slices { slices });
@@ -109,12 +123,13 @@ impl SphereGrid {
                 rows,
                 columns,
                 slices,
+                shells,
             });
         }
         Ok(())
     }
 
-    /// Builds the spheres, one object each, row after row, and the ground as the last object.
+    /// Builds the spheres, one object each, row after row, shells of a place together, and the ground as the last object.
     pub fn mesh(self) -> Result<Mesh, SphereGridError> {
         self.validate()?;
         let triangles = self.triangle_count();
@@ -129,12 +144,11 @@ impl SphereGrid {
         let (sphere_positions, ground_positions) = positions.split_at_mut(count * directions.len());
         let (sphere_indices, ground_indices) = triangles.split_at_mut(count * sphere.len());
 
-        let radius = self.radius();
         sphere_positions
             .par_chunks_mut(directions.len())
             .enumerate()
             .for_each(|(i, positions)| {
-                let centre = self.centre(i);
+                let (centre, radius) = (self.centre(i), self.radius_of(i));
                 for (position, &direction) in positions.iter_mut().zip(&directions) {
                     *position = canonical(centre + radius * direction);
                 }
@@ -168,7 +182,7 @@ impl SphereGrid {
     fn objects(self, sphere_vertices: u32, sphere_triangles: u32) -> Vec<Object> {
         let count = self.sphere_count() as u32;
         let sphere = |i| Object {
-            name: format!("sphere r{} c{}", i / self.columns, i % self.columns),
+            name: self.name_of(i),
             vertices: i * sphere_vertices..(i + 1) * sphere_vertices,
             triangles: i * sphere_triangles..(i + 1) * sphere_triangles,
             casts_shadow: true,
@@ -191,8 +205,24 @@ impl SphereGrid {
         self.spacing() / SPACING_RADII
     }
 
-    /// The centre of sphere `i`, counted row after row.
+    fn name_of(self, i: u32) -> String {
+        let (place, shell) = (i / self.shells, i % self.shells);
+        let name = format!("sphere r{} c{}", place / self.columns, place % self.columns);
+        match self.shells {
+            1 => name,
+            _ => format!("{name} s{shell}"),
+        }
+    }
+
+    /// The radius of sphere `i`: the first of a place is the largest.
+    fn radius_of(self, i: usize) -> f32 {
+        let within = self.shells - i as u32 % self.shells;
+        self.radius() * within as f32 / self.shells as f32
+    }
+
+    /// The centre of sphere `i`, counted row after row, all shells of a place together.
     fn centre(self, i: usize) -> Vec3 {
+        let i = i / self.shells as usize;
         let columns = self.columns as usize;
         let from_middle = |i: usize, n: u32| (i as f32 - (n - 1) as f32 / 2.0) * self.spacing();
         Vec3::new(

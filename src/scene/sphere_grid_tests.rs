@@ -6,6 +6,7 @@ fn grid(rows: u32, columns: u32, slices: u32) -> SphereGrid {
         rows,
         columns,
         slices,
+        shells: 1,
     }
 }
 

@@ -131,6 +131,7 @@ fn closed_objects_are_turned_inside_out_and_open_ones_left() {
         rows: 1,
         columns: 1,
         slices: 6,
+        shells: 1,
     };
     open.mesh = Arc::new(grid.mesh().unwrap());
     assert!(apply(Change::FlipClosedObjects, &open).is_some());

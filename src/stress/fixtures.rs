@@ -9,6 +9,7 @@ pub(super) fn small_grid() -> Scene {
         rows: 2,
         columns: 2,
         slices: 6,
+        shells: 1,
     };
     let key = |time_s, x| CameraKey {
         time_s,

@@ -77,6 +77,7 @@ fn damaged_sphere(random: &mut impl Rng) -> Part {
         rows: 1,
         columns: 1,
         slices,
+        shells: 1,
     };
     let Ok(mesh) = grid.mesh() else {
         unreachable!("so few slices are valid")

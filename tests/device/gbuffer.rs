@@ -49,6 +49,7 @@ fn pixels_name_the_triangles_that_rays_meet() {
         rows: 10,
         columns: 10,
         slices: 8,
+        shells: 1,
     };
     let (mesh, view) = (grid.mesh().unwrap(), crate::common::view());
     let light = glam::Vec4::new(3.0, 20.0, 5.0, 1.0);

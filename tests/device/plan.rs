@@ -75,6 +75,7 @@ fn spheres(name: &str, keep: impl Fn(usize) -> bool) -> Scene {
         rows: 3,
         columns: 3,
         slices: 10,
+        shells: 1,
     };
     let all = grid.mesh().unwrap();
     let ground = all.objects.iter().position(|object| !object.casts_shadow);

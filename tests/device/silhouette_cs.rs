@@ -67,6 +67,7 @@ fn faces_that_do_not_fit_are_drawn_in_rounds() {
         rows: 4,
         columns: 4,
         slices: 60,
+        shells: 1,
     };
     let mesh = grid.mesh().unwrap();
     let flight: Flight = light_through_elements().flight;

@@ -29,12 +29,16 @@ impl Executor for OnGpu<'_> {
         Ok(SceneBuffers::check(&self.gpu, triangles)?)
     }
 
-    fn open<'a>(&'a mut self, scene: &'a Scene) -> anyhow::Result<Box<dyn Session + 'a>> {
+    fn open<'a>(
+        &'a mut self,
+        scene: &'a Scene,
+        size_px: (u32, u32),
+    ) -> anyhow::Result<Box<dyn Session + 'a>> {
         if let Some(loss) = self.gpu.lost() {
             let opened = self.gpu.reopen();
             self.gpu = opened.with_context(|| format!("{loss}, and cannot be opened again"))?;
         }
-        let device = DeviceScene::new(&self.gpu, scene, self.plan.size_px);
+        let device = DeviceScene::new(&self.gpu, scene, size_px);
         Ok(Box::new(GpuSession {
             device: device.context("the scene cannot be drawn")?,
             plan: self.plan,

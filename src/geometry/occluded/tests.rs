@@ -121,6 +121,7 @@ fn spheres() -> Mesh {
         rows: 2,
         columns: 2,
         slices: 8,
+        shells: 1,
     };
     grid.mesh().unwrap()
 }

@@ -276,6 +276,7 @@ fn a_tree_has_every_caster_once_and_says_how_much_may_wait() {
         rows: 3,
         columns: 4,
         slices: 12,
+        shells: 1,
     };
     let mesh = grid.mesh().unwrap();
     let tree = RayTree::new(&mesh);

@@ -36,6 +36,7 @@ fn damaged() -> impl Strategy<Value = Mesh> {
             rows: 1,
             columns: 1,
             slices: 2 * slices,
+            shells: 1,
         };
         let mesh = grid.mesh().unwrap();
         let mut triangles = Vec::new();
@@ -197,6 +198,7 @@ fn few_edges_of_a_sphere_grid_are_asked() {
         rows: 10,
         columns: 10,
         slices: 18,
+        shells: 1,
     };
     let mesh = grid.mesh().unwrap();
     let topology = Topology::build(&mesh);

@@ -67,6 +67,7 @@ mod tests {
             rows: 2,
             columns: 3,
             slices: 10,
+            shells: 1,
         };
         let mesh = grid.mesh().unwrap();
         let topology = Topology::build(&mesh);

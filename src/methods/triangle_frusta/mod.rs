@@ -28,7 +28,7 @@ const MOST_SLICES: u32 = 16;
 crate::parameters! {
     /// The method with its parameters.
     pub(super) struct TriangleFrusta {
-        slices: u32 = 1, in 1..=MOST_SLICES, "slices of depth whose samples have boxes of their own, two for each doubling of the distance: 1 for a hierarchical depth buffer alone, more for clusters";
+        slices: u32 = 4, in 1..=MOST_SLICES, "slices of depth whose samples have boxes of their own, two for each doubling of the distance: 1 for a hierarchical depth buffer alone, more for clusters";
         bias: f64 = 0.0, in 0.0..=1.0, "how far behind a triangle its shadow begins, in parts of the longest side of the scene's box";
     }
 }

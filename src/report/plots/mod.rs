@@ -59,7 +59,7 @@ struct Figure {
 
 /// Every plot that the run has data for.
 pub(crate) fn draw(run: &Run) -> Result<Vec<Plot>> {
-    let mut figures = shadow_time::by_triangles(run);
+    let mut figures = shadow_time::by_growth(run);
     figures.extend(shadow_time::by_scene(run));
     figures.extend(shadow_time::along_flights(run));
     figures.into_iter().map(Plot::new).collect()

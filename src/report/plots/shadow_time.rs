@@ -38,48 +38,114 @@ pub(super) fn by_scene(run: &Run) -> Option<Figure> {
     })
 }
 
+/// What scenes of a family differ in.
+struct Growth {
+    /// How their names say so, with `#` for digits.
+    mark: &'static str,
+    /// In file names.
+    name: &'static str,
+    /// In words.
+    title: &'static str,
+    /// How much a row's scene has of it.
+    of: fn(&Summary) -> Option<u64>,
+}
+
+const GROWTHS: [Growth; 4] = [
+    Growth {
+        mark: "_n#",
+        name: "triangles",
+        title: "Casting triangles",
+        of: |row| row.triangles,
+    },
+    Growth {
+        mark: "_#x#_n#",
+        name: "objects",
+        title: "Casting objects",
+        of: |row| row.objects,
+    },
+    Growth {
+        mark: "_d#_n#",
+        name: "shells",
+        title: "Nested shells",
+        of: |row| number_after("_d", &row.scene),
+    },
+    Growth {
+        mark: "_#x#px",
+        name: "pixels",
+        title: "Pixels",
+        of: |row| Some(u64::from(row.width) * u64::from(row.height)),
+    },
+];
+
 /// Over scenes that differ in nothing else: a figure per family of scenes that has at least two points.
-pub(super) fn by_triangles(run: &Run) -> Vec<Figure> {
-    let families = unique(run.scenes().into_iter().filter_map(family));
-    let figure = |family: &String| figure_of_family(run, family);
-    let mut figures: Vec<Figure> = families.iter().filter_map(figure).collect();
-    if let [only] = figures.as_mut_slice() {
-        only.name = "shadow_time_by_triangles".to_owned();
+pub(super) fn by_growth(run: &Run) -> Vec<Figure> {
+    let of_growth = |growth: &Growth| {
+        let family = |scene| family(scene, growth.mark);
+        let families = unique(run.scenes().into_iter().filter_map(family));
+        let figure = |family: &String| figure_of_family(run, growth, family);
+        let mut figures: Vec<Figure> = families.iter().filter_map(figure).collect();
+        if let [only] = figures.as_mut_slice() {
+            only.name = format!("shadow_time_by_{}", growth.name);
+        }
+        figures
+    };
+    GROWTHS.iter().flat_map(of_growth).collect()
+}
+
+/// What a scene's name says besides the last part that is like `mark`. `None` where it has none.
+fn family(scene: &str, mark: &str) -> Option<String> {
+    let ends = scene.char_indices().rev();
+    ends.filter_map(|(at, _)| Some((at, after(&scene[at..], mark)?)))
+        .map(|(at, rest)| format!("{}{rest}", &scene[..at]))
+        .next()
+}
+
+/// What follows a mark at the start of a text.
+fn after<'a>(text: &'a str, mark: &str) -> Option<&'a str> {
+    let mut pieces = mark.split('#');
+    let mut rest = text.strip_prefix(pieces.next()?)?;
+    for piece in pieces {
+        let digits = rest.trim_start_matches(|c: char| c.is_ascii_digit());
+        if digits.len() == rest.len() {
+            return None;
+        }
+        rest = digits.strip_prefix(piece)?;
     }
-    figures
+    Some(rest)
 }
 
-/// What a scene's name says besides its size: the name without its last `_n<digits>`. `None` where
-/// it has none.
-fn family(scene: &str) -> Option<String> {
-    scene.rmatch_indices("_n").find_map(|(at, mark)| {
-        let rest = &scene[at + mark.len()..];
-        let after = rest.trim_start_matches(|c: char| c.is_ascii_digit());
-        (after.len() < rest.len()).then(|| format!("{}{after}", &scene[..at]))
-    })
+/// The last number in a name that follows a word.
+fn number_after(word: &str, name: &str) -> Option<u64> {
+    let numbers = name.rmatch_indices(word).map(|(at, _)| {
+        let rest = &name[at + word.len()..];
+        let end = rest.find(|c: char| !c.is_ascii_digit());
+        rest[..end.unwrap_or(rest.len())].parse().ok()
+    });
+    numbers.flatten().next()
 }
 
-fn figure_of_family(run: &Run, family_name: &str) -> Option<Figure> {
+fn figure_of_family(run: &Run, growth: &Growth, family_name: &str) -> Option<Figure> {
     let Chosen { keys, remark } = Chosen::of(run);
     let points = |contender: &Contender| {
         let rows = run.summaries.iter().filter(|row| {
-            family(&row.scene).as_deref() == Some(family_name) && run.contender(row) == *contender
+            family(&row.scene, growth.mark).as_deref() == Some(family_name)
+                && run.contender(row) == *contender
         });
         let mut points: Vec<(f64, f64)> = rows
-            .filter_map(|row| Some((row.triangles? as f64, row.shadow_ms_median?)))
-            .filter(|(triangles, shadow_ms)| *triangles > 0.0 && *shadow_ms > 0.0)
+            .filter_map(|row| Some(((growth.of)(row)? as f64, row.shadow_ms_median?)))
+            .filter(|(amount, shadow_ms)| *amount > 0.0 && *shadow_ms > 0.0)
             .collect();
         points.sort_by(|a, b| a.0.total_cmp(&b.0));
         points
     };
-    let x = ("Casting triangles", Axis::log as _);
+    let x = (growth.title, Axis::log as _);
     let y = ("Shadow time, median, ms", Axis::log as _);
     let chart = lines(x, y, keys, points);
     let mut all = chart.lines.iter().flat_map(|line| &line.points);
     let first = all.next()?;
     all.any(|point| point.0 != first.0).then(|| Figure {
-        name: format!("shadow_time_by_triangles_{}", file_name(family_name)),
-        title: format!("Shadow time by casting triangles, {family_name}{remark}"),
+        name: format!("shadow_time_by_{}_{}", growth.name, file_name(family_name)),
+        title: format!("Shadow time by {}, {family_name}{remark}", growth.title.to_lowercase()),
         chart,
     })
 }
@@ -147,17 +213,23 @@ fn lines(
 
 #[cfg(test)]
 mod tests {
-    use super::family;
+    use super::{family, number_after};
 
     #[test]
     fn a_family_is_the_name_without_its_last_size() {
-        assert_eq!(
-            family("spheres_10x10_n140").as_deref(),
-            Some("spheres_10x10")
-        );
-        assert_eq!(family("a_n2_b_n3").as_deref(), Some("a_n2_b"));
-        assert_eq!(family("spheres_n18_high").as_deref(), Some("spheres_high"));
-        assert_eq!(family("town_night"), None);
-        assert_eq!(family("sponza"), None);
+        let of = |scene, mark| family(scene, mark);
+        let triangles = "_n#";
+        assert_eq!(of("spheres_10x10_n140", triangles).as_deref(), Some("spheres_10x10"));
+        assert_eq!(of("a_n2_b_n3", triangles).as_deref(), Some("a_n2_b"));
+        assert_eq!(of("spheres_n18_high", triangles).as_deref(), Some("spheres_high"));
+        assert_eq!(of("town_night", triangles), None);
+        assert_eq!(of("sponza", triangles), None);
+        assert_eq!(of("spheres_10x10_n140", "_#x#_n#").as_deref(), Some("spheres"));
+        assert_eq!(of("spheres_d16_n24", "_d#_n#").as_deref(), Some("spheres"));
+        let pixels = "_#x#px";
+        assert_eq!(of("spheres_10x10_n18_640x480px", pixels).as_deref(), Some("spheres_10x10_n18"));
+        assert_eq!(of("spheres_10x10_n18", pixels), None);
+        assert_eq!(number_after("_d", "dragon_d16_n24"), Some(16));
+        assert_eq!(number_after("_d", "dragon"), None);
     }
 }

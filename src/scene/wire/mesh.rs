@@ -29,6 +29,7 @@ pub(super) struct MeshWire {
     rows: Option<Spanned<u32>>,
     columns: Option<Spanned<u32>>,
     slices: Option<Spanned<u32>>,
+    shells: Option<Spanned<u32>>,
     file: Option<Spanned<PathBuf>>,
     up: Option<Spanned<Up>>,
     source: Option<Spanned<String>>,
@@ -53,6 +54,7 @@ impl MeshWire {
             rows,
             columns,
             slices,
+            shells,
             file,
             up,
             source,
@@ -74,6 +76,7 @@ impl MeshWire {
                     rows: rows.ok_or_else(|| needed("rows"))?.into_inner(),
                     columns: columns.ok_or_else(|| needed("columns"))?.into_inner(),
                     slices: slices.ok_or_else(|| needed("slices"))?.into_inner(),
+                    shells: shells.map_or(1, Spanned::into_inner),
                 };
                 grid.validate().map_err(|error| misplaced(&kind, &error))?;
                 Ok(MeshSource::SphereGrid(grid))
@@ -83,6 +86,7 @@ impl MeshWire {
                     span_of("rows", &rows),
                     span_of("columns", &columns),
                     span_of("slices", &slices),
+                    span_of("shells", &shells),
                 ];
                 refuse(&strangers, "sphere_grid")?;
                 Ok(MeshSource::Obj {

@@ -17,6 +17,7 @@ fn rough_balls_under_a_roof() -> Scene {
         rows: 3,
         columns: 3,
         slices: 150,
+        shells: 1,
     };
     let mesh = grid.mesh().unwrap();
     let mut random = ChaCha8Rng::seed_from_u64(7);
