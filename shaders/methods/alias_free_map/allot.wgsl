@@ -1,4 +1,4 @@
-// Makes of the counts of a tile's cells where their lists begin, one after another; the last word then says where they end.
+// Makes of the counts of a tile's cells where their lists begin, one after another, and says where the last ends.
 #include "shared/frame.wgsl"
 #include "shared/pixels.wgsl"
 #include "methods/alias_free_map/light_map.wgsl"
@@ -10,16 +10,16 @@
 @compute @workgroup_size(64)
 fn allot(@builtin(global_invocation_id) at: vec3<u32>, @builtin(num_workgroups) workgroups: vec3<u32>) {
     let first = TILE_WORDS * invocation(at, workgroups);
-    let end = first + TILE_CELLS;
-    if end >= arrayLength(&cells) || cells[end] == 0u {
+    let end = first + TILE_END;
+    if end >= arrayLength(&cells) || cells[end + REACH] == 0u {
         return;
     }
     var sum = 0u;
-    for (var cell = first; cell < end; cell++) {
+    for (var cell = first; cell < end; cell += CELL_WORDS) {
         sum += cells[cell];
     }
     var begin = atomicAdd(&taken, sum);
-    for (var cell = first; cell < end; cell++) {
+    for (var cell = first; cell < end; cell += CELL_WORDS) {
         let count = cells[cell];
         cells[cell] = begin;
         begin += count;

@@ -22,7 +22,8 @@ fn cover_tiles(triangle: u32, face: u32, covered: Coverage, of_caster: Blocker) 
             let first = TILE * vec2<u32>(x, y);
             let tile = tile_index(face, vec2<u32>(x, y));
             let middle = vec2<f32>(first) - vec2<f32>(covered.first) + half;
-            if cells[tile * TILE_WORDS + TILE_CELLS] == 0u || !is_covered(covered.edges, middle, half) {
+            let reach = cells[tile * TILE_WORDS + TILE_END + REACH];
+            if reach < covered.nearest || !is_covered(covered.edges, middle, half) {
                 continue;
             }
             if !leave_part(Part(triangle, tile)) {

@@ -20,7 +20,7 @@ fn cover_parts(
     let tile = part.place;
     let of_caster = blocker(caster, frame.light);
     if is_sorted {
-        let end = cells[tile * TILE_WORDS + TILE_CELLS];
+        let end = cells[tile * TILE_WORDS + TILE_END];
         for (var sample = cells[tile * TILE_WORDS] + lane; sample < end; sample += LANES) {
             let point = points[sample];
             darken_if_behind(point.word, point.at, of_caster);

@@ -13,7 +13,7 @@
 @group(2) @binding(1) var<storage, read> casters: array<Caster>;
 @group(2) @binding(2) var<storage, read> samples: array<ViewSample>;
 @group(2) @binding(3) var<storage, read> ranges: array<Range>;
-// The first of each list: a pixel plus 1, or where it is in `points`.
+// Of each cell the first of its list, a pixel plus 1, or where it is in `points`; and how far it reaches.
 @group(2) @binding(4) var<storage, read> cells: array<u32>;
 // Points of samples, one a pixel, each with the next of its list, a pixel plus 1; or all lists one after another, each point
 // with its pixel.
@@ -23,6 +23,7 @@
 const MARGIN: f32 = 1.0 / 16.0;
 const ROUNDING: f32 = 1.0 / 4194304.0;
 // Nearer to the plane through the lamp along a face, a corner is taken to be behind it.
+const DEPTH_ROUNDING: f32 = 1.0 / 65536.0;
 const LEAST_W: f32 = 1.0 / 1024.0;
 
 struct Edges {
@@ -34,6 +35,8 @@ struct Edges {
 
 struct Coverage {
     is_empty: bool,
+    // How near to the light it is, less what rounding may do, by `ordered`.
+    nearest: u32,
     // The first and the last cell in either direction.
     first: vec2<u32>,
     last: vec2<u32>,
@@ -87,6 +90,18 @@ fn is_beside(face: Face, p: vec3<f32>, q: vec3<f32>, r: vec3<f32>) -> bool {
     return is_behind || any(above_low < vec2<f32>(0.0)) || any(below_high > vec2<f32>(0.0));
 }
 
+// Of the depths of its corners; w on the face.
+fn nearest_of(caster: Caster, w: vec3<f32>) -> u32 {
+    var depth = w;
+    if frame.light.w == 0.0 {
+        let towards = normalize(frame.light.xyz);
+        let from_origin = mat3x3<f32>(caster.a.xyz - origin(), caster.b.xyz - origin(), caster.c.xyz - origin());
+        depth = -(towards * from_origin);
+    }
+    let most = max(abs(depth.x), max(abs(depth.y), abs(depth.z)));
+    return ordered(min(depth.x, min(depth.y, depth.z)) - DEPTH_ROUNDING * most);
+}
+
 fn in_cells(face: Face, p: vec3<f32>) -> vec3<f32> {
     return vec3<f32>((p.xy - face.low * p.z) * face.cells, p.z);
 }
@@ -101,6 +116,7 @@ fn coverage(caster: Caster, face_number: u32) -> Coverage {
     if is_beside(face, p, q, r) {
         return covered;
     }
+    covered.nearest = nearest_of(caster, vec3<f32>(p.z, q.z, r.z));
     let size = max(abs(p), max(abs(q), abs(r)));
     let is_before = min(p.z, min(q.z, r.z)) > LEAST_W * max(size.x, max(size.y, size.z));
     p = in_cells(face, p);
@@ -132,7 +148,7 @@ fn coverage(caster: Caster, face_number: u32) -> Coverage {
 }
 
 fn darken_if_behind(pixel: u32, point: vec3<f32>, of_caster: Blocker) {
-    let may_be = may_be_behind(point, of_caster) && !is_dark(pixel);
+    let may_be = !is_dark(pixel) && may_be_behind(point, of_caster);
     if may_be && is_behind(point_of(samples[pixel]), of_caster, 0.0) {
         darken(pixel);
     }
@@ -140,7 +156,7 @@ fn darken_if_behind(pixel: u32, point: vec3<f32>, of_caster: Blocker) {
 
 fn darken_list(cell: u32, of_caster: Blocker) {
     if is_sorted {
-        let end = cells[cell + 1u];
+        let end = cells[cell + CELL_WORDS];
         for (var at = cells[cell]; at < end; at++) {
             let point = points[at];
             darken_if_behind(point.word, point.at, of_caster);
@@ -157,7 +173,9 @@ fn darken_list(cell: u32, of_caster: Blocker) {
 
 // What a triangle shadows in a cell.
 fn darken_cell(face_number: u32, cell: vec2<u32>, covered: Coverage, of_caster: Blocker) {
-    if is_covered(covered.edges, vec2<f32>(cell - covered.first) + 0.5, 0.5) {
-        darken_list(cell_index(face_number, cell), of_caster);
+    let index = cell_index(face_number, cell);
+    let may_reach = cells[index + REACH] >= covered.nearest;
+    if may_reach && is_covered(covered.edges, vec2<f32>(cell - covered.first) + 0.5, 0.5) {
+        darken_list(index, of_caster);
     }
 }

@@ -8,8 +8,12 @@ override is_sorted: bool;
 
 const TILE: u32 = 32u;
 const TILE_CELLS: u32 = TILE * TILE;
-// Words of a tile: one a cell, and one that is 0 where it has no sample.
-const TILE_WORDS: u32 = TILE_CELLS + 1u;
+// Words of a cell: where its list begins, and how far from the light its samples reach, by `ordered`.
+const CELL_WORDS: u32 = 2u;
+// Words of a tile: those of its cells, where the last list ends if they are sorted, and how far all samples reach.
+const TILE_WORDS: u32 = CELL_WORDS * TILE_CELLS + 2u;
+const TILE_END: u32 = CELL_WORDS * TILE_CELLS;
+const REACH: u32 = 1u;
 
 // So small a part of a coordinate is no longer told apart by cells.
 const LEAST_PART: f32 = 1.0 / 131072.0;
@@ -83,12 +87,18 @@ fn face_from(range: Range) -> Face {
     return Face(low, high, 1.0 / side);
 }
 
+// How far a point is from the light, as far as it matters which of two on the same face is farther.
+fn depth_of(from_origin: vec3<f32>, on_its_face: vec3<f32>) -> f32 {
+    return select(on_its_face.z, -dot(normalize(frame.light.xyz), from_origin), frame.light.w == 0.0);
+}
+
 fn tile_index(face: u32, tile: vec2<u32>) -> u32 {
     let tiles = resolution / TILE;
     return (face * tiles + tile.y) * tiles + tile.x;
 }
 
+// The first word of a cell.
 fn cell_index(face: u32, cell: vec2<u32>) -> u32 {
     let within = cell % TILE;
-    return tile_index(face, cell / TILE) * TILE_WORDS + within.y * TILE + within.x;
+    return tile_index(face, cell / TILE) * TILE_WORDS + CELL_WORDS * (within.y * TILE + within.x);
 }

@@ -28,12 +28,17 @@ fn place_samples(@builtin(global_invocation_id) at: vec3<u32>) {
     let last = vec2<f32>(f32(resolution - 1u));
     let cell = vec2<u32>(clamp((place.xy / place.z - face.low) * face.cells, vec2<f32>(0.0), last));
     let index = cell_index(face_number, cell);
-    let of_tile = tile_index(face_number, cell / TILE) * TILE_WORDS + TILE_CELLS;
+    let tile = tile_index(face_number, cell / TILE) * TILE_WORDS;
+    let depth = ordered(depth_of(way, place));
     if is_sorted {
         samples[pixel].place = 1u + index;
         points[pixel].word = atomicAdd(&cells[index], 1u);
     } else {
         points[pixel].word = atomicExchange(&cells[index], pixel + 1u);
     }
-    atomicStore(&cells[of_tile], 1u);
+    atomicMax(&cells[index + REACH], depth);
+    // Mostly another has been there.
+    if atomicLoad(&cells[tile + TILE_END + REACH]) < depth {
+        atomicMax(&cells[tile + TILE_END + REACH], depth);
+    }
 }

@@ -12,7 +12,7 @@ use wgpu::BufferUsages as Usage;
 /// Cells along a side of a tile. Twin of `TILE` in light_map.wgsl, as is what follows.
 const TILE: u32 = 32;
 /// Words of a tile.
-const TILE_WORDS: u32 = TILE * TILE + 1;
+const TILE_WORDS: u32 = 2 * (TILE * TILE + 1);
 /// Samples that an invocation of `fit` looks at.
 const PIXELS: u32 = 64;
 /// Faces of the map of a lamp; a light at infinity uses one of them.
