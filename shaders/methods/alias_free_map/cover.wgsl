@@ -4,7 +4,7 @@
 #include "methods/alias_free_map/covered.wgsl"
 
 // A triangle with no more cells is small.
-const FEW_CELLS: u32 = 64u;
+const FEW_CELLS: u32 = 256u;
 
 // All cells of a triangle from a first to a last.
 fn darken_cells(face: u32, first: vec2<u32>, last: vec2<u32>, covered: Coverage, of_caster: Blocker) {
