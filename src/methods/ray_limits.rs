@@ -1,6 +1,7 @@
-//! What shadow rays cannot do, however they are traced.
+//! What methods cannot do that ask whether a triangle blocks the light of a point, however they find the triangles.
 
 use super::{Bound, Limit};
+use crate::metrics::Label;
 
 /// What single precision leaves.
 pub(super) const LIMITS: &[Limit] = &[
@@ -21,5 +22,14 @@ pub(super) const LIMITS: &[Limit] = &[
         fails: &[("light_near_edge", 7.0)],
         kinds: &[],
         at_most: Bound::Px(5),
+    },
+    Limit {
+        text: "where a triangle is drawn just beside the line of sight, the point of its edge is asked, and what meets it \
+               there touches it and does not shadow it: a pixel in thousands of pictures",
+        with: &[],
+        unless: &[],
+        fails: &[],
+        kinds: &[Label::Unlabelled],
+        at_most: Bound::Px(1),
     },
 ];

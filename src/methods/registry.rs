@@ -3,8 +3,9 @@
 use super::parameters::{Parameter, ParameterError, configure};
 use super::{MethodInfo, ShadowMethod};
 use super::{
-    alias_free_map, cube_shadow_map, ray_compute, ray_cpu, ray_query, shadow_map, silhouette_cpu, silhouette_cs,
-    silhouette_gs, silhouette_ms, silhouette_ts, silhouette_vs, triangle_frusta, triangle_gs, triangle_ts,
+    alias_free_map, cube_shadow_map, ray_compute, ray_cpu, ray_query, shadow_map, silhouette_cpu,
+    silhouette_cs, silhouette_gs, silhouette_ms, silhouette_ts, silhouette_vs, triangle_frusta,
+    triangle_gs, triangle_ts,
 };
 use crate::toml_error;
 use crate::variant::{Variant, VariantError};

@@ -26,6 +26,7 @@ mod errors;
 mod fault;
 mod files;
 mod format1;
+pub mod growth;
 mod image;
 mod images;
 mod info;

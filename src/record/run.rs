@@ -37,6 +37,14 @@ pub struct Run {
 }
 
 impl Run {
+    /// Whether its pictures have the size of its scene's, or of the run's where the scene has none of its own.
+    pub fn is_of_own_size(&self, row: &Summary) -> bool {
+        let mut scenes = self.info.scenes.iter();
+        let of_scene = scenes.find(|scene| scene.name == row.scene);
+        let of_scene = of_scene.and_then(|scene| scene.size_px);
+        (row.width, row.height) == of_scene.unwrap_or((self.info.width, self.info.height))
+    }
+
     /// Reads the run directory `dir`, of this format or an earlier one.
     ///
     /// A run that was cut off is read as far as it goes: missing tables are empty, a torn last row

@@ -44,12 +44,6 @@ impl Run {
         Contender::new(&row.method, format!("{}{size}", row.variant).trim())
     }
 
-    /// Whether its pictures have the size of its scene's, or of the run's where the scene has none of its own.
-    pub(crate) fn is_of_own_size(&self, row: &Summary) -> bool {
-        let of_scene = self.scene(&row.scene).and_then(|scene| scene.size_px);
-        (row.width, row.height) == of_scene.unwrap_or((self.info.width, self.info.height))
-    }
-
     pub(crate) fn sweep_of(&self, contender: &Contender) -> Option<&SweepRecord> {
         let Contender { method, variant } = contender;
         let methods = self.info.methods.iter();

@@ -125,7 +125,8 @@ fn impossible_grids_are_refused() {
         grid(0, 1, 8).mesh(),
         Err(NoSpheres {
             rows: 0,
-            columns: 1
+            columns: 1,
+            shells: 1
         })
     );
     assert_eq!(grid(1, 1, 9).mesh(), Err(Slices { slices: 9 }));
@@ -135,6 +136,34 @@ fn impossible_grids_are_refused() {
         rows: most,
         columns: most,
         slices: most - 1,
+        shells: 1,
     };
     assert_eq!(grid(most, most, most - 1).validate(), Err(too_large));
+}
+
+#[test]
+fn shells_are_nested_by_equal_steps() {
+    let grid = SphereGrid {
+        shells: 4,
+        ..grid(1, 2, 8)
+    };
+    let mesh = grid.mesh().unwrap();
+    assert_eq!(mesh.caster_object_count(), 8);
+    assert_eq!(mesh.caster_triangle_count(), 8 * 64);
+    let largest = grid.radius();
+    for (i, sphere) in mesh.objects[..8].iter().enumerate() {
+        let positions = &mesh.positions[sphere.vertex_range()];
+        let centre = grid.centre(i);
+        assert_eq!(centre, grid.centre(i / 4 * 4), "all shells of a place");
+        let expected = largest * (4 - i % 4) as f32 / 4.0;
+        for position in positions {
+            assert!(((*position - centre).length() - expected).abs() < 1e-5);
+        }
+    }
+    assert_eq!(mesh.objects[5].name, "sphere r0 c1 s1");
+    let none = SphereGrid { shells: 0, ..grid };
+    assert!(matches!(
+        none.mesh(),
+        Err(SphereGridError::NoSpheres { .. })
+    ));
 }

@@ -14,7 +14,7 @@ use svbench::stress::metamorphic::Original;
 use svbench::stress::{Change, Changed, damage, metamorphic, random};
 
 const SIZE_PX: (u32, u32) = (160, 120);
-const METHODS: [&str; 7] = [
+const METHODS: [&str; 9] = [
     "silhouette_ts",
     "silhouette_gs",
     "triangle_ts",
@@ -22,6 +22,8 @@ const METHODS: [&str; 7] = [
     "silhouette_gs,counting=auto",
     "silhouette_cpu",
     "ray_cpu",
+    "alias_free_map",
+    "triangle_frusta",
 ];
 
 fn methods(ids: &[&str]) -> Vec<Box<dyn ShadowMethod>> {

@@ -359,6 +359,9 @@ fn a_square_casts_the_shadow_that_geometry_says() {
         ("ray_query", 1.0),
         ("ray_compute", 1.0),
         ("ray_cpu", 1.0),
+        ("alias_free_map", 1.0),
+        ("alias_free_map,lists=sorted", 1.0),
+        ("triangle_frusta", 1.0),
         ("shadow_map,resolution=4096", 2.0),
         ("cube_shadow_map,resolution=4096", 2.0),
     ] {

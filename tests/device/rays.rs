@@ -1,4 +1,5 @@
-//! Shadow rays: three ways to trace them, against the truth and against each other.
+//! Whether a triangle blocks the light of a point, asked by rays, by a map without aliasing and by frusta of triangles: against
+//! the truth and against each other.
 #![allow(clippy::unwrap_used, clippy::print_stdout, reason = "tests")]
 
 use crate::accuracy::random_shot;
@@ -18,7 +19,15 @@ use svbench::reference::ReferenceCache;
 use svbench::scene::{Moment, Scene};
 use svbench::stress::find_cause;
 
-const EXACT: [&str; 3] = ["ray_cpu", "ray_compute", "ray_query,primitives=boxes"];
+const EXACT: [&str; 7] = [
+    "ray_cpu",
+    "ray_compute",
+    "alias_free_map",
+    "alias_free_map,lists=sorted,resolution=96",
+    "triangle_frusta",
+    "triangle_frusta,slices=1",
+    "ray_query,primitives=boxes",
+];
 const TRIANGLES: &str = "ray_query";
 
 /// Artifact pixels of each picture by each method, and how many pixels of each mask differ from the first method's.
@@ -93,7 +102,7 @@ fn rays_in_sponza_err_by_a_pixel_at_most() {
         Err(error) => return println!("skipped: {error}"),
     };
     let shots: Vec<_> = [5.0, 17.0, 29.0].map(|at| scene.flight.at(at)).into();
-    let methods = [&EXACT[..2], &[TRIANGLES]].concat();
+    let methods = [&EXACT[..5], &[TRIANGLES]].concat();
     let errors = errors(&scene, (640, 480), &shots, &methods);
     for (number, method) in methods.iter().enumerate() {
         let artifact_px: u64 = errors.iter().map(|row| row[number].0).sum();
@@ -176,7 +185,7 @@ fn rays_need_no_capability_but_ray_queries() {
     })
     .unwrap();
     let scene = find_cause("eye_in_volume").unwrap().scene(0.8, 0);
-    for method in ["ray_cpu", "ray_compute"] {
+    for method in &EXACT[..6] {
         let [(_, error)] = &draw(&gpu, &scene, method, 1)[..] else {
             panic!()
         };
@@ -192,4 +201,48 @@ fn rays_need_no_capability_but_ray_queries() {
         .unwrap_err();
     assert!(reason.contains("ray queries"), "{reason}");
     gpu.wait_idle();
+}
+
+/// A bias that no surface needs: the higher it is, the more light comes through under the spheres of a grid.
+#[test]
+fn bias_lets_light_through() {
+    let plan = find_scene("sphere_grid", Path::new("")).unwrap();
+    let file = plan.file.with_sphere_grid(None, None, Some(18)).unwrap();
+    let scene = file.load(&plan.search).unwrap();
+    let shots = [scene.flight.at(3.0)];
+    let methods = [
+        "triangle_frusta",
+        "triangle_frusta,bias=0.002",
+        "triangle_frusta,bias=0.01",
+    ];
+    let errors = errors(&scene, (320, 240), &shots, &methods);
+    let [(none, _), (some, _), (more, _)] = errors[0][..] else {
+        panic!()
+    };
+    assert!(none == 0 && some > 0 && more > some, "{errors:?}");
+}
+
+/// A light at infinity has one face, a lamp six: seen from within, and with what the map is cut to as small as it gets.
+#[test]
+fn maps_hold_samples_on_all_faces() {
+    let gpu = device();
+    let judge = Judge::new(&gpu, SIZE_PX);
+    for (cause, value) in [
+        ("light_at_infinity", 60.0),
+        ("light_in_lantern", 1.0),
+        ("light_in_mesh", 0.75),
+        ("light_near_face", 5.0),
+        ("light_distance", 10.0),
+    ] {
+        for method in [
+            "alias_free_map,resolution=32",
+            "alias_free_map,resolution=2048",
+        ] {
+            assert_eq!(
+                artifacts(&judge, method, cause, value),
+                0,
+                "{method}, {cause} {value}"
+            );
+        }
+    }
 }

@@ -58,6 +58,41 @@ fn workplace(config: &str) -> (tempfile::TempDir, String, String) {
 }
 
 #[test]
+fn scenes_may_have_shells_and_pictures_of_their_own_size() {
+    let scene = "[[scenes]]\nscene = \"sphere_grid\"\nslices = 8\n";
+    let larger = format!("{scene}size = [96, 40]\n{scene}size = [48, 20]\n{scene}shells = 3\n");
+    assert!(CONFIG.contains(scene));
+    let (_dir, config, out) = workplace(&CONFIG.replace(scene, &format!("{scene}{larger}")));
+    succeed(&["run", &config, "--out", &out]);
+    let out = Path::new(&out);
+    let summary = rows(&out.join("summary.csv"));
+    let of = |row: &std::collections::HashMap<String, String>| {
+        ["scene", "width", "height", "triangles"].map(|column| row[column].clone())
+    };
+    for (rows, expected) in summary.chunks(3).zip([
+        ["sphere_grid_n8", "64", "48", "6400"],
+        ["sphere_grid_n8_96x40px", "96", "40", "6400"],
+        ["sphere_grid_n8_48x20px", "48", "20", "6400"],
+        ["sphere_grid_d3_n8", "64", "48", "19200"],
+    ]) {
+        for row in rows {
+            assert_eq!(
+                (of(row), &*row["status"]),
+                (expected.map(str::to_owned), "ok")
+            );
+        }
+    }
+    let picture = out.join("images/sphere_grid_n8_96x40px__reference.png");
+    let reader = png::Decoder::new(std::io::BufReader::new(
+        std::fs::File::open(picture).unwrap(),
+    ));
+    assert_eq!(reader.read_info().unwrap().info().size(), (96, 40));
+    assert!(out.join("plots/shadow_time_by_pixels.svg").is_file());
+    // One of a kind alone.
+    assert!(!out.join("plots/shadow_time_by_shells.svg").is_file());
+}
+
+#[test]
 fn a_run_leaves_everything_that_the_contract_names() {
     let (_dir, config, out) = workplace(CONFIG);
     succeed(&["run", &config, "--out", &out, "--validation"]);
@@ -487,6 +522,8 @@ fn lists_say_what_can_run_here() {
             "ray_query",
             "ray_compute",
             "ray_cpu",
+            "alias_free_map",
+            "triangle_frusta",
             "shadow_map",
             "cube_shadow_map"
         ]

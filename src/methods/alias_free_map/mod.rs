@@ -4,7 +4,7 @@
 mod map;
 
 use super::view_samples::ViewSamples;
-use super::{Limit, MethodError, MethodInfo, PrepareContext, ShadowMethod, ray_limits};
+use super::{MethodError, MethodInfo, PrepareContext, ShadowMethod, ray_limits};
 use crate::frame::{Frame, PreparedMethod};
 use map::LightMap;
 use serde::{Deserialize, Serialize};
@@ -15,7 +15,7 @@ pub(super) static INFO: MethodInfo = MethodInfo {
     title: "an alias-free shadow map",
     source: "Sintorn, Eisemann and Assarsson 2008; Wyman, Hoetzlein and Lefohn 2015",
     needs: &[],
-    limits: &[ray_limits::LIMITS, &[] as &[Limit]],
+    limits: &[ray_limits::LIMITS],
     clashes: &[],
     tolerated_share: 0.0,
 };

@@ -17,7 +17,12 @@ pub(super) static INFO: MethodInfo = MethodInfo {
     title: "a shadow frustum per triangle, in compute",
     source: "Sintorn, Olsson and Assarsson 2011; with slices, Sintorn, Kämpe, Olsson and Assarsson 2014",
     needs: &[],
-    limits: &[ray_limits::LIMITS, &[] as &[Limit]],
+    limits: &[
+        ray_limits::LIMITS,
+        &[Limit::in_words(
+            "bias above 0: the shadow of what is nearer to a surface is lost, and light comes through at corners",
+        )],
+    ],
     clashes: &[],
     tolerated_share: 0.0,
 };
@@ -142,5 +147,10 @@ impl PreparedMethod for Prepared {
             resources.give_mask(encoder);
         });
         Ok(())
+    }
+
+    fn counters(&self) -> Vec<(&'static str, u64)> {
+        let count = |frusta: &Frusta| vec![("clusters", u64::from(frusta.cluster_count))];
+        self.frusta.as_ref().map_or_else(Vec::new, count)
     }
 }

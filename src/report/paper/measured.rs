@@ -63,7 +63,12 @@ fn of_run(sheet: &Sheet, run: &Run) -> Vec<Value> {
             let own = |row: &&Summary| (&row.method, &row.variant) == *whose;
             let rows: Vec<&Summary> = run.summaries.iter().filter(own).collect();
             let at = |(point, at): (usize, &Point)| {
-                let mut here = rows.iter().filter(|row| at.at.holds(row));
+                // A scene that pictures of another size were drawn of must be named.
+                let is_meant = |row: &Summary| match at.at.scene.is_empty() {
+                    true => (row.width, row.height) == (run.info.width, run.info.height),
+                    false => run.is_of_own_size(row),
+                };
+                let mut here = rows.iter().filter(|row| at.at.holds(row) && is_meant(row));
                 let value = here.find_map(|row| value(sheet, row, run))?;
                 Some(Value {
                     series: index,
@@ -80,10 +85,9 @@ fn of_run(sheet: &Sheet, run: &Run) -> Vec<Value> {
     series.flat_map(of_series).collect()
 }
 
-/// The value of a row; `None` where it was not measured, broke, or is of another size than the run's.
+/// The value of a row; `None` where it was not measured, or broke.
 fn value(sheet: &Sheet, row: &Summary, run: &Run) -> Option<Value> {
     let is_measured = matches!(row.status, Status::Ok | Status::Unverified);
-    let own_size = (row.width, row.height) == (run.info.width, run.info.height);
     let value = sheet.paper.quantity.of(row)?;
     let mask = match row.artifact_px {
         Some(1..) => Mask::Wrong,
@@ -91,7 +95,7 @@ fn value(sheet: &Sheet, row: &Summary, run: &Run) -> Option<Value> {
         Some(0) if row.status == Status::Ok => Mask::Right,
         _ => Mask::Unverified,
     };
-    (is_measured && own_size && value.is_finite() && value > 0.0).then(|| Value {
+    (is_measured && value.is_finite() && value > 0.0).then(|| Value {
         value,
         mask,
         // Runs from before these were recorded have nothing or zero here.

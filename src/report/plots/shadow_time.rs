@@ -10,6 +10,7 @@ use super::chart::{AxisOf, Chart, Line};
 use super::chosen::Chosen;
 use crate::file_name::file_name;
 use crate::record::Summary;
+use crate::record::growth::{self, Growth};
 use crate::record::statistics::median;
 use crate::report::curve::Contender;
 use crate::report::load::{Run, unique};
@@ -38,50 +39,10 @@ pub(super) fn by_scene(run: &Run) -> Option<Figure> {
     })
 }
 
-/// What scenes of a family differ in.
-struct Growth {
-    /// How their names say so, with `#` for digits.
-    mark: &'static str,
-    /// In file names.
-    name: &'static str,
-    /// In words.
-    title: &'static str,
-    /// How much a row's scene has of it.
-    of: fn(&Summary) -> Option<u64>,
-}
-
-const GROWTHS: [Growth; 4] = [
-    Growth {
-        mark: "_n#",
-        name: "triangles",
-        title: "Casting triangles",
-        of: |row| row.triangles,
-    },
-    Growth {
-        mark: "_#x#_n#",
-        name: "objects",
-        title: "Casting objects",
-        of: |row| row.objects,
-    },
-    Growth {
-        mark: "_d#_n#",
-        name: "shells",
-        title: "Nested shells",
-        of: |row| number_after("_d", &row.scene),
-    },
-    Growth {
-        mark: "_#x#px",
-        name: "pixels",
-        title: "Pixels",
-        of: |row| Some(u64::from(row.width) * u64::from(row.height)),
-    },
-];
-
 /// Over scenes that differ in nothing else: a figure per family of scenes that has at least two points.
 pub(super) fn by_growth(run: &Run) -> Vec<Figure> {
     let of_growth = |growth: &Growth| {
-        let family = |scene| family(scene, growth.mark);
-        let families = unique(run.scenes().into_iter().filter_map(family));
+        let families = unique(run.scenes().iter().filter_map(|s| growth.family(s)));
         let figure = |family: &String| figure_of_family(run, growth, family);
         let mut figures: Vec<Figure> = families.iter().filter_map(figure).collect();
         if let [only] = figures.as_mut_slice() {
@@ -89,50 +50,18 @@ pub(super) fn by_growth(run: &Run) -> Vec<Figure> {
         }
         figures
     };
-    GROWTHS.iter().flat_map(of_growth).collect()
-}
-
-/// What a scene's name says besides the last part that is like `mark`. `None` where it has none.
-fn family(scene: &str, mark: &str) -> Option<String> {
-    let ends = scene.char_indices().rev();
-    ends.filter_map(|(at, _)| Some((at, after(&scene[at..], mark)?)))
-        .map(|(at, rest)| format!("{}{rest}", &scene[..at]))
-        .next()
-}
-
-/// What follows a mark at the start of a text.
-fn after<'a>(text: &'a str, mark: &str) -> Option<&'a str> {
-    let mut pieces = mark.split('#');
-    let mut rest = text.strip_prefix(pieces.next()?)?;
-    for piece in pieces {
-        let digits = rest.trim_start_matches(|c: char| c.is_ascii_digit());
-        if digits.len() == rest.len() {
-            return None;
-        }
-        rest = digits.strip_prefix(piece)?;
-    }
-    Some(rest)
-}
-
-/// The last number in a name that follows a word.
-fn number_after(word: &str, name: &str) -> Option<u64> {
-    let numbers = name.rmatch_indices(word).map(|(at, _)| {
-        let rest = &name[at + word.len()..];
-        let end = rest.find(|c: char| !c.is_ascii_digit());
-        rest[..end.unwrap_or(rest.len())].parse().ok()
-    });
-    numbers.flatten().next()
+    growth::ALL.iter().flat_map(of_growth).collect()
 }
 
 fn figure_of_family(run: &Run, growth: &Growth, family_name: &str) -> Option<Figure> {
     let Chosen { keys, remark } = Chosen::of(run);
     let points = |contender: &Contender| {
         let rows = run.summaries.iter().filter(|row| {
-            family(&row.scene, growth.mark).as_deref() == Some(family_name)
+            growth.family(&row.scene).as_deref() == Some(family_name)
                 && run.contender(row) == *contender
         });
         let mut points: Vec<(f64, f64)> = rows
-            .filter_map(|row| Some(((growth.of)(row)? as f64, row.shadow_ms_median?)))
+            .filter_map(|row| Some((growth.amount(row)? as f64, row.shadow_ms_median?)))
             .filter(|(amount, shadow_ms)| *amount > 0.0 && *shadow_ms > 0.0)
             .collect();
         points.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -145,7 +74,10 @@ fn figure_of_family(run: &Run, growth: &Growth, family_name: &str) -> Option<Fig
     let first = all.next()?;
     all.any(|point| point.0 != first.0).then(|| Figure {
         name: format!("shadow_time_by_{}_{}", growth.name, file_name(family_name)),
-        title: format!("Shadow time by {}, {family_name}{remark}", growth.title.to_lowercase()),
+        title: format!(
+            "Shadow time by {}, {family_name}{remark}",
+            growth.title.to_lowercase()
+        ),
         chart,
     })
 }
@@ -209,27 +141,4 @@ fn lines(
     ends.sort_by(|a, b| b.0.total_cmp(&a.0));
     let legend = ends.into_iter().map(|(_, key)| key).collect();
     Chart::of_lines(x, y, lines, legend)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{family, number_after};
-
-    #[test]
-    fn a_family_is_the_name_without_its_last_size() {
-        let of = |scene, mark| family(scene, mark);
-        let triangles = "_n#";
-        assert_eq!(of("spheres_10x10_n140", triangles).as_deref(), Some("spheres_10x10"));
-        assert_eq!(of("a_n2_b_n3", triangles).as_deref(), Some("a_n2_b"));
-        assert_eq!(of("spheres_n18_high", triangles).as_deref(), Some("spheres_high"));
-        assert_eq!(of("town_night", triangles), None);
-        assert_eq!(of("sponza", triangles), None);
-        assert_eq!(of("spheres_10x10_n140", "_#x#_n#").as_deref(), Some("spheres"));
-        assert_eq!(of("spheres_d16_n24", "_d#_n#").as_deref(), Some("spheres"));
-        let pixels = "_#x#px";
-        assert_eq!(of("spheres_10x10_n18_640x480px", pixels).as_deref(), Some("spheres_10x10_n18"));
-        assert_eq!(of("spheres_10x10_n18", pixels), None);
-        assert_eq!(number_after("_d", "dragon_d16_n24"), Some(16));
-        assert_eq!(number_after("_d", "dragon"), None);
-    }
 }
