@@ -4,9 +4,10 @@
 #include "shared/point_seen.wgsl"
 #include "shared/view_sample.wgsl"
 
-@group(2) @binding(2) var<storage, read_write> samples: array<ViewSample>;
+@group(2) @binding(2) var<storage, read_write> corners: array<SampleCorner>;
+@group(2) @binding(3) var<storage, read_write> ways: array<SampleWay>;
 // Their points again, to be read at a first look, and a number that methods set.
-@group(2) @binding(3) var<storage, read_write> points: array<SamplePoint>;
+@group(2) @binding(4) var<storage, read_write> points: array<SamplePoint>;
 
 @compute @workgroup_size(8, 8)
 fn take_samples(@builtin(global_invocation_id) at: vec3<u32>) {
@@ -16,10 +17,11 @@ fn take_samples(@builtin(global_invocation_id) at: vec3<u32>) {
     let pixel = pixel_at(at.xy);
     let id = asked_triangle(at.xy);
     if id == 0u {
-        samples[pixel].place = 0u;
+        ways[pixel].place = 0u;
         return;
     }
     let point = point_seen(at.xy, id);
     points[pixel] = SamplePoint(point.corner + point.way, 0u);
-    samples[pixel] = ViewSample(point.corner, point.uncertainty, point.way, 1u);
+    corners[pixel] = SampleCorner(point.corner, point.uncertainty);
+    ways[pixel] = SampleWay(point.way, 1u);
 }

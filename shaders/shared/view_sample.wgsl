@@ -1,14 +1,17 @@
-// What a picture shows at a pixel whose light is in question.
-struct ViewSample {
+// What a picture shows at the pixels whose light is in question, in two arrays, each no larger than a buffer of any device may be.
+struct SampleCorner {
     corner: vec3<f32>,
     uncertainty: f32,
+}
+
+struct SampleWay {
     way: vec3<f32>,
     // 0 where there is nothing to ask, else what a method makes of it.
     place: u32,
 }
 
-fn point_of(sample: ViewSample) -> SurfacePoint {
-    return SurfacePoint(sample.corner, sample.way, sample.uncertainty);
+fn sample_point(corner: SampleCorner, way: SampleWay) -> SurfacePoint {
+    return SurfacePoint(corner.corner, way.way, corner.uncertainty);
 }
 
 // Its point again, to be read at a first look.

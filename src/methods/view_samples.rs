@@ -4,15 +4,15 @@ use super::PrepareContext;
 use crate::frame::{FrameResources, PixelCompute, PixelKernel, read, write};
 use crate::gpu::DeviceError;
 
-/// Bytes of a `ViewSample` in shaders/shared/view_sample.wgsl.
-const SAMPLE_BYTES: u64 = 32;
-/// Bytes of its point.
-const POINT_BYTES: u64 = 16;
+/// Bytes of each of the structs in shaders/shared/view_sample.wgsl.
+const BYTES: u64 = 16;
 
 /// The samples of a picture, and what takes them.
 pub(super) struct ViewSamples {
-    /// One a pixel, as pixels are in buffers.
-    pub(super) buffer: wgpu::Buffer,
+    /// Of each pixel, as pixels are in buffers, a corner of the triangle that it shows.
+    pub(super) corners: wgpu::Buffer,
+    /// The way from there to the point, and a word that a method may use.
+    pub(super) ways: wgpu::Buffer,
     /// The point of each, and a word that a method may use.
     pub(super) points: wgpu::Buffer,
     /// How many.
@@ -29,9 +29,10 @@ impl ViewSamples {
         let PrepareContext { gpu, resources, .. } = *context;
         let count = resources.buffer_px();
         let usage = wgpu::BufferUsages::STORAGE;
-        let of_each = |what, bytes| gpu.empty_buffer(what, bytes * u64::from(count), usage);
-        let buffer = of_each("samples of a picture", SAMPLE_BYTES)?;
-        let points = of_each("points of a picture", POINT_BYTES)?;
+        let of_each = |what| gpu.empty_buffer(what, BYTES * u64::from(count), usage);
+        let corners = of_each("samples of a picture")?;
+        let ways = of_each("samples of a picture")?;
+        let points = of_each("points of a picture")?;
         let scene = &resources.scene;
         let kernel = PixelKernel {
             path: "shared/take_samples.wgsl",
@@ -39,13 +40,15 @@ impl ViewSamples {
             inputs: &[
                 read(&scene.positions),
                 read(&scene.indices),
-                write(&buffer),
+                write(&corners),
+                write(&ways),
                 write(&points),
             ],
         };
         Ok(Self {
             take: PixelCompute::new(gpu, resources, &kernel),
-            buffer,
+            corners,
+            ways,
             points,
             count,
         })

@@ -236,7 +236,7 @@ fn maps_hold_samples_on_all_faces() {
     ] {
         for method in [
             "alias_free_map,resolution=32",
-            "alias_free_map,resolution=2048",
+            "alias_free_map,resolution=1024",
         ] {
             assert_eq!(
                 artifacts(&judge, method, cause, value),

@@ -11,7 +11,8 @@
 #include "methods/alias_free_map/light_map.wgsl"
 
 @group(2) @binding(1) var<storage, read> casters: array<Caster>;
-@group(2) @binding(2) var<storage, read> samples: array<ViewSample>;
+@group(2) @binding(2) var<storage, read> corners: array<SampleCorner>;
+@group(2) @binding(6) var<storage, read> ways: array<SampleWay>;
 @group(2) @binding(3) var<storage, read> ranges: array<Range>;
 // Of each cell the first of its list, a pixel plus 1, or where it is in `points`; and how far it reaches.
 @group(2) @binding(4) var<storage, read> cells: array<u32>;
@@ -149,7 +150,7 @@ fn coverage(caster: Caster, face_number: u32) -> Coverage {
 
 fn darken_if_behind(pixel: u32, point: vec3<f32>, of_caster: Blocker) {
     let may_be = !is_dark(pixel) && may_be_behind(point, of_caster);
-    if may_be && is_behind(point_of(samples[pixel]), of_caster, 0.0) {
+    if may_be && is_behind(sample_point(corners[pixel], ways[pixel]), of_caster, 0.0) {
         darken(pixel);
     }
 }

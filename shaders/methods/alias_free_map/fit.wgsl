@@ -5,8 +5,9 @@
 #include "shared/view_sample.wgsl"
 #include "methods/alias_free_map/light_map.wgsl"
 
-@group(2) @binding(0) var<storage, read> samples: array<ViewSample>;
-@group(2) @binding(1) var<storage, read_write> ranges: array<atomic<u32>>;
+@group(2) @binding(0) var<storage, read> corners: array<SampleCorner>;
+@group(2) @binding(1) var<storage, read> ways: array<SampleWay>;
+@group(2) @binding(2) var<storage, read_write> ranges: array<atomic<u32>>;
 
 // Of an invocation.
 const PIXELS: u32 = 64u;
@@ -21,16 +22,17 @@ fn add_to(face: u32, least: vec2<f32>, most: vec2<f32>) {
 @compute @workgroup_size(64)
 fn fit(@builtin(global_invocation_id) at: vec3<u32>, @builtin(num_workgroups) workgroups: vec3<u32>) {
     let first = PIXELS * invocation(at, workgroups);
-    let end = min(first + PIXELS, arrayLength(&samples));
+    let end = min(first + PIXELS, arrayLength(&ways));
     // Neighbours are mostly on one face.
     var face = 6u;
     var least = vec2<f32>(0.0);
     var most = vec2<f32>(0.0);
     for (var pixel = first; pixel < end; pixel++) {
-        if samples[pixel].place == 0u {
+        let from_corner = ways[pixel];
+        if from_corner.place == 0u {
             continue;
         }
-        let way = (samples[pixel].corner - origin()) + samples[pixel].way;
+        let way = (corners[pixel].corner - origin()) + from_corner.way;
         let its = face_of(way);
         let place = on_face(way, its);
         let at = place.xy / place.z;

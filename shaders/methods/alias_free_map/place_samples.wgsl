@@ -5,7 +5,8 @@
 #include "shared/view_sample.wgsl"
 #include "methods/alias_free_map/light_map.wgsl"
 
-@group(2) @binding(0) var<storage, read_write> samples: array<ViewSample>;
+@group(2) @binding(0) var<storage, read> corners: array<SampleCorner>;
+@group(2) @binding(4) var<storage, read_write> ways: array<SampleWay>;
 @group(2) @binding(1) var<storage, read> ranges: array<Range>;
 @group(2) @binding(2) var<storage, read_write> cells: array<atomic<u32>>;
 // Each with the next pixel of the list plus 1, or how many came before.
@@ -17,11 +18,11 @@ fn place_samples(@builtin(global_invocation_id) at: vec3<u32>) {
         return;
     }
     let pixel = pixel_at(at.xy);
-    let sample = samples[pixel];
-    if sample.place == 0u {
+    let from_corner = ways[pixel];
+    if from_corner.place == 0u {
         return;
     }
-    let way = (sample.corner - origin()) + sample.way;
+    let way = (corners[pixel].corner - origin()) + from_corner.way;
     let face_number = face_of(way);
     let place = on_face(way, face_number);
     let face = face_from(ranges[face_number]);
@@ -31,7 +32,7 @@ fn place_samples(@builtin(global_invocation_id) at: vec3<u32>) {
     let tile = tile_index(face_number, cell / TILE) * TILE_WORDS;
     let depth = ordered(depth_of(way, place));
     if is_sorted {
-        samples[pixel].place = 1u + index;
+        ways[pixel].place = 1u + index;
         points[pixel].word = atomicAdd(&cells[index], 1u);
     } else {
         points[pixel].word = atomicExchange(&cells[index], pixel + 1u);

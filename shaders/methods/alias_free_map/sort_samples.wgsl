@@ -5,7 +5,7 @@
 #include "shared/view_sample.wgsl"
 #include "methods/alias_free_map/light_map.wgsl"
 
-@group(2) @binding(0) var<storage, read> samples: array<ViewSample>;
+@group(2) @binding(0) var<storage, read> ways: array<SampleWay>;
 @group(2) @binding(1) var<storage, read> cells: array<u32>;
 // Each with how many samples of its cell came before.
 @group(2) @binding(2) var<storage, read> points: array<SamplePoint>;
@@ -18,7 +18,7 @@ fn sort_samples(@builtin(global_invocation_id) at: vec3<u32>) {
         return;
     }
     let pixel = pixel_at(at.xy);
-    let place = samples[pixel].place;
+    let place = ways[pixel].place;
     if place != 0u {
         let point = points[pixel];
         sorted[cells[place - 1u] + point.word] = SamplePoint(point.at, pixel);

@@ -3,7 +3,8 @@
 #include "shared/pixels.wgsl"
 #include "methods/triangle_frusta/tree.wgsl"
 
-@group(2) @binding(0) var<storage, read_write> nodes: array<Node>;
+@group(2) @binding(0) var<storage, read_write> centres: array<NodeCentre>;
+@group(2) @binding(1) var<storage, read_write> extents: array<NodeExtent>;
 
 @compute @workgroup_size(64)
 fn bound_nodes(@builtin(global_invocation_id) at: vec3<u32>, @builtin(num_workgroups) workgroups: vec3<u32>) {
@@ -17,12 +18,14 @@ fn bound_nodes(@builtin(global_invocation_id) at: vec3<u32>, @builtin(num_workgr
     var high = vec3<f32>(-3e38);
     var uncertainty = 0.0;
     for (var child = below; child < below + 4u; child++) {
-        let part = nodes[child];
+        let part = Node(centres[child], extents[child]);
         if !is_empty(part) {
-            low = min(low, part.centre - part.extent);
-            high = max(high, part.centre + part.extent);
-            uncertainty = max(uncertainty, part.uncertainty);
+            low = min(low, part.centre.at - part.extent.half);
+            high = max(high, part.centre.at + part.extent.half);
+            uncertainty = max(uncertainty, part.centre.uncertainty);
         }
     }
-    nodes[node] = node_of(low, high, uncertainty);
+    let sum = node_of(low, high, uncertainty);
+    centres[node] = sum.centre;
+    extents[node] = sum.extent;
 }

@@ -5,8 +5,10 @@
 #include "shared/view_sample.wgsl"
 #include "methods/triangle_frusta/tree.wgsl"
 
-@group(2) @binding(0) var<storage, read_write> samples: array<ViewSample>;
-@group(2) @binding(1) var<storage, read_write> nodes: array<Node>;
+@group(2) @binding(0) var<storage, read> corners: array<SampleCorner>;
+@group(2) @binding(1) var<storage, read_write> ways: array<SampleWay>;
+@group(2) @binding(2) var<storage, read_write> centres: array<NodeCentre>;
+@group(2) @binding(3) var<storage, read_write> extents: array<NodeExtent>;
 
 struct Range {
     low: vec3<f32>,
@@ -31,15 +33,16 @@ fn bound_tiles(@builtin(global_invocation_id) at: vec3<u32>, @builtin(num_workgr
     for (var y = corner.y; y < end.y; y++) {
         for (var x = corner.x; x < end.x; x++) {
             let pixel = pixel_at(vec2<u32>(x, y));
-            let sample = samples[pixel];
-            if sample.place == 0u {
+            let way = ways[pixel];
+            if way.place == 0u {
                 continue;
             }
-            let point = sample.corner + sample.way;
+            let sample = corners[pixel];
+            let point = sample.corner + way.way;
             var slice = 0u;
             if slices > 1u {
                 slice = slice_of(point);
-                samples[pixel].place = 1u + slice;
+                ways[pixel].place = 1u + slice;
             }
             let before = ranges[slice];
             let uncertainty = max(before.uncertainty, sample.uncertainty);
@@ -48,6 +51,9 @@ fn bound_tiles(@builtin(global_invocation_id) at: vec3<u32>, @builtin(num_workgr
     }
     for (var slice = 0u; slice < slices; slice++) {
         let its = ranges[slice];
-        nodes[slice * tree_size() + first_tile() + tile] = node_of(its.low, its.high, its.uncertainty);
+        let node = node_of(its.low, its.high, its.uncertainty);
+        let index = slice * tree_size() + first_tile() + tile;
+        centres[index] = node.centre;
+        extents[index] = node.extent;
     }
 }

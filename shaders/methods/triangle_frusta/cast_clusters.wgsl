@@ -14,7 +14,7 @@ struct Cluster {
     unused_normal: u32,
 }
 
-@group(2) @binding(6) var<storage, read> clusters: array<Cluster>;
+@group(2) @binding(8) var<storage, read> clusters: array<Cluster>;
 
 // Triangles of a cluster: twin of `CLUSTER` in src/methods/triangle_frusta/clusters.rs.
 const CLUSTER: u32 = 32u;
@@ -31,8 +31,8 @@ const MARGIN: f32 = 1.0 / 1048576.0;
 // Both only rise or only fall with p, so that the ends of the node's box are enough.
 fn may_meet(node: Node, cluster: Cluster) -> bool {
     let light = frame.light;
-    let node_low = node.centre - node.extent;
-    let node_high = node.centre + node.extent;
+    let node_low = node.centre.at - node.extent.half;
+    let node_high = node.centre.at + node.extent.half;
     let from_low = light.xyz - node_low * light.w;
     let from_high = light.xyz - node_high * light.w;
     var enter = 0.0;
@@ -65,7 +65,7 @@ fn faces_light(cluster: Cluster) -> bool {
 fn cast_on_tree(number: u32, cluster: Cluster, tree: u32) {
     var node = 0u;
     loop {
-        let box = nodes[tree + node];
+        let box = Node(centres[tree + node], extents[tree + node]);
         var below = 0u;
         let is_lit = atomicLoad(&dark[tree + node]) == 0u;
         if is_lit && !is_empty(box) && may_meet(box, cluster) {

@@ -5,7 +5,7 @@
 #include "shared/view_sample.wgsl"
 #include "methods/triangle_frusta/tree.wgsl"
 
-@group(2) @binding(0) var<storage, read> samples: array<ViewSample>;
+@group(2) @binding(0) var<storage, read> ways: array<SampleWay>;
 @group(2) @binding(1) var<storage, read_write> dark: array<u32>;
 
 fn is_all_dark(tree: u32, tile: u32) -> bool {
@@ -33,7 +33,7 @@ fn darken_tiles(@builtin(global_invocation_id) at: vec3<u32>, @builtin(num_workg
     for (var y = corner.y; y < end.y; y++) {
         for (var x = corner.x; x < end.x; x++) {
             let pixel = pixel_at(vec2<u32>(x, y));
-            let place = samples[pixel].place;
+            let place = ways[pixel].place;
             if place == 0u || is_dark(pixel) {
                 continue;
             }

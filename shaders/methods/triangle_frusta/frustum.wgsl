@@ -6,8 +6,10 @@
 #include "methods/triangle_frusta/tree.wgsl"
 
 @group(2) @binding(1) var<storage, read> casters: array<Caster>;
-@group(2) @binding(2) var<storage, read> samples: array<ViewSample>;
-@group(2) @binding(3) var<storage, read> nodes: array<Node>;
+@group(2) @binding(2) var<storage, read> corners: array<SampleCorner>;
+@group(2) @binding(6) var<storage, read> ways: array<SampleWay>;
+@group(2) @binding(3) var<storage, read> centres: array<NodeCentre>;
+@group(2) @binding(7) var<storage, read> extents: array<NodeExtent>;
 // Not 0 for nodes all of whose samples are in shadow.
 @group(2) @binding(4) var<storage, read_write> dark: array<atomic<u32>>;
 
@@ -45,24 +47,24 @@ fn frustum_of(caster: Caster) -> Frustum {
 // Where the box of a node lies.
 fn side_of(node: Node, frustum: Frustum) -> u32 {
     let planes = frustum.planes;
-    let from_a = node.centre - planes.a;
-    let from_b = node.centre - planes.b;
-    let from_c = node.centre - frustum.c;
-    let about_a = with_room(from_a, node.extent);
-    let about_b = with_room(from_b, node.extent);
+    let from_a = node.centre.at - planes.a;
+    let from_b = node.centre.at - planes.b;
+    let from_c = node.centre.at - frustum.c;
+    let about_a = with_room(from_a, node.extent.half);
+    let about_b = with_room(from_b, node.extent.half);
     let ab = distances(planes.ab, from_a, about_a);
     let ac = distances(planes.ac, from_a, about_a);
     let bc = distances(planes.bc, from_b, about_b);
     let own = distances(planes.own, from_a, about_a);
     let at_a = distances(frustum.at_a, from_a, about_a);
     let at_b = distances(frustum.at_b, from_b, about_b);
-    let at_c = distances(frustum.at_c, from_c, with_room(from_c, node.extent));
+    let at_c = distances(frustum.at_c, from_c, with_room(from_c, node.extent.half));
     let least = max(max(ab.x - ab.y, max(ac.x - ac.y, bc.x - bc.y)), max(at_a.x - at_a.y, max(at_b.x - at_b.y, at_c.x - at_c.y)));
     if least > 0.0 || own.x - own.y >= -planes.contact {
         return OUTSIDE;
     }
     let most = max(ab.x + ab.y, max(ac.x + ac.y, bc.x + bc.y));
-    let contact = planes.contact + planes.double_area * node.uncertainty;
+    let contact = planes.contact + planes.double_area * node.centre.uncertainty;
     return select(ACROSS, INSIDE, most <= 0.0 && own.x + own.y < -contact);
 }
 
@@ -70,8 +72,8 @@ fn darken_if_behind(pixel: u32, of_caster: Blocker) {
     if !may_be_behind(points[pixel].at, of_caster) || is_dark(pixel) {
         return;
     }
-    let sample = samples[pixel];
-    if sample.place != 0u && is_behind(point_of(sample), of_caster, 0.0) {
+    let way = ways[pixel];
+    if way.place != 0u && is_behind(sample_point(corners[pixel], way), of_caster, 0.0) {
         darken(pixel);
     }
 }
@@ -91,7 +93,7 @@ fn is_cut(node: u32, frustum: Frustum) -> bool {
     if atomicLoad(&dark[node]) != 0u {
         return false;
     }
-    let side = side_of(nodes[node], frustum);
+    let side = side_of(Node(centres[node], extents[node]), frustum);
     if side == INSIDE {
         atomicStore(&dark[node], 1u);
     }

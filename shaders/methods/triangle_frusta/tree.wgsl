@@ -16,12 +16,21 @@ const BLOCK_TILES: u32 = 4u;
 const SLICES_PER_OCTAVE: f32 = 2.0;
 const MOST_SLICES: u32 = 16u;
 
+// A box, in two arrays as samples are.
 struct Node {
-    centre: vec3<f32>,
+    centre: NodeCentre,
+    extent: NodeExtent,
+}
+
+struct NodeCentre {
+    at: vec3<f32>,
     // The largest of any sample.
     uncertainty: f32,
+}
+
+struct NodeExtent {
     // Half its sides; far below 0 where there is nothing, so that it is outside of everything.
-    extent: vec3<f32>,
+    half: vec3<f32>,
     unused: u32,
 }
 
@@ -30,16 +39,17 @@ const OF_BOX: f32 = 1.0 / 4194304.0;
 const NO_EXTENT: f32 = -1e30;
 
 fn is_empty(node: Node) -> bool {
-    return node.extent.x < 0.0;
+    return node.extent.half.x < 0.0;
 }
 
 fn node_of(low: vec3<f32>, high: vec3<f32>, uncertainty: f32) -> Node {
     if low.x > high.x {
-        return Node(vec3<f32>(0.0), 0.0, vec3<f32>(NO_EXTENT), 0u);
+        return Node(NodeCentre(vec3<f32>(0.0), 0.0), NodeExtent(vec3<f32>(NO_EXTENT), 0u));
     }
     let centre = 0.5 * (low + high);
     let rounding = OF_BOX * (abs(low) + abs(high));
-    return Node(centre, uncertainty, max(high - centre, centre - low) + rounding, 0u);
+    let half = max(high - centre, centre - low) + rounding;
+    return Node(NodeCentre(centre, uncertainty), NodeExtent(half, 0u));
 }
 
 // The first of the lowest nodes of a tree, of which there are tiles² of 4 / 3 tiles² in all.

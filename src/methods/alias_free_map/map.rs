@@ -59,14 +59,15 @@ impl LightMap {
         let cell_words = tile_count * TILE_WORDS;
         let cells = maker.words("the cells of a light's map", cell_words, Usage::COPY_DST)?;
         let ranges = maker.words("the ranges of a light's map", 4 * FACES, Usage::COPY_DST)?;
-        let of_samples = &samples.buffer;
-        let inputs = [read(of_samples), write(&ranges)];
+        let ViewSamples { corners, ways, .. } = samples;
+        let inputs = [read(corners), read(ways), write(&ranges)];
         let fit = maker.kernel("fit", &inputs);
         let inputs = [
-            write(of_samples),
+            read(corners),
             read(&ranges),
             write(&cells),
             write(&samples.points),
+            write(ways),
         ];
         let place_samples = maker.kernel("place_samples", &inputs);
         let sort = match is_sorted {
@@ -74,7 +75,7 @@ impl LightMap {
             false => None,
         };
         let listed = sort.as_ref().map_or(&samples.points, |sort| &sort.points);
-        let read_by_triangles = [&casters, of_samples, &ranges, &cells, listed].map(read);
+        let read_by_triangles = [&casters, corners, &ranges, &cells, listed, ways].map(read);
         Ok(Some(Self {
             cover: Cover::new(&maker, &read_by_triangles, triangles.len() as u32)?,
             ranges,
@@ -137,7 +138,7 @@ impl Sort {
         let points = maker.words("sorted points", 4 * samples.count, Usage::empty())?;
         let taken = maker.words("how many samples are sorted", 4, Usage::COPY_DST)?;
         let inputs = [
-            read(&samples.buffer),
+            read(&samples.ways),
             read(cells),
             read(&samples.points),
             write(&points),

@@ -90,10 +90,12 @@ impl Frusta {
         let inputs = [
             write(&parts.buffer),
             read(&casters),
-            read(&samples.buffer),
-            read(&tree.nodes),
+            read(&samples.corners),
+            read(&tree.centres),
             write(&tree.dark),
             read(&samples.points),
+            read(&samples.ways),
+            read(&tree.extents),
         ];
         let with_clusters = [&inputs[..], &[read(&clusters)]].concat();
         let cast_blocks = tree.kernel(context, "cast_blocks", &[], &inputs);

@@ -10,13 +10,15 @@ use wgpu::BufferUsages as Usage;
 const TILE: u32 = 4;
 /// Tiles along a side of a block.
 const BLOCK_TILES: u32 = 4;
-/// Bytes of a node.
-const NODE_BYTES: u64 = 32;
+/// Bytes of either half of a node.
+const NODE_BYTES: u64 = 16;
 
 /// The boxes of one picture, in a tree for each slice of depth.
 pub(super) struct SampleTree {
-    /// All nodes.
-    pub(super) nodes: wgpu::Buffer,
+    /// The middles of all boxes.
+    pub(super) centres: wgpu::Buffer,
+    /// Half their sides.
+    pub(super) extents: wgpu::Buffer,
     /// A word for each, not 0 where all its samples are in shadow.
     pub(super) dark: wgpu::Buffer,
     size: Size,
@@ -86,17 +88,24 @@ impl SampleTree {
         };
         let gpu = context.gpu;
         let count = u64::from(size.nodes());
-        let nodes = gpu.empty_buffer("boxes of tiles", NODE_BYTES * count, Usage::STORAGE)?;
+        let of_each = || gpu.empty_buffer("boxes of tiles", NODE_BYTES * count, Usage::STORAGE);
+        let (centres, extents) = (of_each()?, of_each()?);
         let usage = Usage::STORAGE | Usage::COPY_DST;
         let dark = gpu.empty_buffer("tiles in shadow", 4 * count, usage)?;
-        let inputs = [write(&samples.buffer), write(&nodes)];
+        let inputs = [
+            read(&samples.corners),
+            write(&samples.ways),
+            write(&centres),
+            write(&extents),
+        ];
         let bound_tiles = size.kernel(context, "bound_tiles", &[], &inputs);
-        let inputs = [read(&samples.buffer), write(&dark)];
+        let inputs = [read(&samples.ways), write(&dark)];
         Ok(Self {
-            bound_nodes: Levels::new(context, size, "bound_nodes", &nodes),
+            bound_nodes: Levels::new(context, size, "bound_nodes", &[&centres, &extents]),
             darken_tiles: size.kernel(context, "darken_tiles", &[], &inputs),
-            darken_nodes: Levels::new(context, size, "darken_nodes", &dark),
-            nodes,
+            darken_nodes: Levels::new(context, size, "darken_nodes", &[&dark]),
+            centres,
+            extents,
             dark,
             size,
             bound_tiles,
@@ -136,14 +145,20 @@ impl SampleTree {
 struct Levels(Vec<(PixelCompute, u32)>);
 
 impl Levels {
-    fn new(context: &PrepareContext<'_>, size: Size, name: &str, buffer: &wgpu::Buffer) -> Self {
+    fn new(
+        context: &PrepareContext<'_>,
+        size: Size,
+        name: &str,
+        buffers: &[&wgpu::Buffer],
+    ) -> Self {
+        let inputs: Vec<_> = buffers.iter().map(|buffer| write(buffer)).collect();
         let of_level = |level: u32| {
             let count = 4_u32.pow(level);
             let constants = [
                 ("first", f64::from((count - 1) / 3)),
                 ("count", f64::from(count)),
             ];
-            let kernel = size.kernel(context, name, &constants, &[write(buffer)]);
+            let kernel = size.kernel(context, name, &constants, &inputs);
             (kernel, count * size.slices)
         };
         Self((0..size.side.ilog2()).rev().map(of_level).collect())
