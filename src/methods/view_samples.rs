@@ -7,6 +7,9 @@ use crate::gpu::DeviceError;
 /// Bytes of each of the structs in shaders/shared/view_sample.wgsl.
 const BYTES: u64 = 16;
 
+/// Most storage buffers that a shader of the methods with samples has: cast_clusters.wgsl.
+const STORAGE_BUFFERS: u32 = 11;
+
 /// The samples of a picture, and what takes them.
 pub(super) struct ViewSamples {
     /// Of each pixel, as pixels are in buffers, a corner of the triangle that it shows.
@@ -27,6 +30,12 @@ impl ViewSamples {
     /// When the device cannot hold them.
     pub(super) fn new(context: &PrepareContext<'_>) -> Result<Self, DeviceError> {
         let PrepareContext { gpu, resources, .. } = *context;
+        let most = gpu.device.limits().max_storage_buffers_per_shader_stage;
+        if most < STORAGE_BUFFERS {
+            return Err(DeviceError::TooLarge(format!(
+                "a shader of this method reads and writes {STORAGE_BUFFERS} buffers, and one of this device {most} at most"
+            )));
+        }
         let count = resources.buffer_px();
         let usage = wgpu::BufferUsages::STORAGE;
         let of_each = |what| gpu.empty_buffer(what, BYTES * u64::from(count), usage);
