@@ -25,7 +25,7 @@ pub(super) const LIMITS: &[Limit] = &[
     },
     Limit {
         text: "where a triangle is drawn just beside the line of sight, the point of its edge is asked, and what meets it \
-               there touches it and does not shadow it: a pixel in thousands of pictures",
+               there touches it and does not shadow it: a pixel in one of some hundred pictures of random scenes",
         with: &[],
         unless: &[],
         fails: &[],

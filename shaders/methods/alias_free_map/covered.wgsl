@@ -91,15 +91,15 @@ fn is_beside(face: Face, p: vec3<f32>, q: vec3<f32>, r: vec3<f32>) -> bool {
     return is_behind || any(above_low < vec2<f32>(0.0)) || any(below_high > vec2<f32>(0.0));
 }
 
-// Of the depths of its corners; w on the face.
-fn nearest_of(caster: Caster, w: vec3<f32>) -> u32 {
+// Of the depths of its corners; w on the face, and the largest coordinate there, of which rounding is a part.
+fn nearest_of(caster: Caster, w: vec3<f32>, size: f32) -> u32 {
     var depth = w;
     if frame.light.w == 0.0 {
         let towards = normalize(frame.light.xyz);
         let from_origin = mat3x3<f32>(caster.a.xyz - origin(), caster.b.xyz - origin(), caster.c.xyz - origin());
         depth = -(towards * from_origin);
     }
-    let most = max(abs(depth.x), max(abs(depth.y), abs(depth.z)));
+    let most = max(size, max(abs(depth.x), max(abs(depth.y), abs(depth.z))));
     return ordered(min(depth.x, min(depth.y, depth.z)) - DEPTH_ROUNDING * most);
 }
 
@@ -117,9 +117,10 @@ fn coverage(caster: Caster, face_number: u32) -> Coverage {
     if is_beside(face, p, q, r) {
         return covered;
     }
-    covered.nearest = nearest_of(caster, vec3<f32>(p.z, q.z, r.z));
-    let size = max(abs(p), max(abs(q), abs(r)));
-    let is_before = min(p.z, min(q.z, r.z)) > LEAST_W * max(size.x, max(size.y, size.z));
+    let sizes = max(abs(p), max(abs(q), abs(r)));
+    let size = max(sizes.x, max(sizes.y, sizes.z));
+    covered.nearest = nearest_of(caster, vec3<f32>(p.z, q.z, r.z), size);
+    let is_before = min(p.z, min(q.z, r.z)) > LEAST_W * size;
     p = in_cells(face, p);
     q = in_cells(face, q);
     r = in_cells(face, r);

@@ -34,8 +34,7 @@ fn fit(@builtin(global_invocation_id) at: vec3<u32>, @builtin(num_workgroups) wo
         }
         let way = (corners[pixel].corner - origin()) + from_corner.way;
         let its = face_of(way);
-        let place = on_face(way, its);
-        let at = place.xy / place.z;
+        let at = place_on_face(on_face(way, its));
         if its != face {
             if face < 6u {
                 add_to(face, least, most);

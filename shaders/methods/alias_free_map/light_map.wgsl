@@ -43,6 +43,11 @@ fn on_face(from_origin: vec3<f32>, face: u32) -> vec3<f32> {
     }
 }
 
+// Where that is on the face. A sample may be where the lamp is.
+fn place_on_face(on_its_face: vec3<f32>) -> vec2<f32> {
+    return on_its_face.xy / max(on_its_face.z, 1e-37);
+}
+
 // On which face a point lies.
 fn face_of(from_origin: vec3<f32>) -> u32 {
     if frame.light.w == 0.0 {

@@ -27,7 +27,7 @@ fn place_samples(@builtin(global_invocation_id) at: vec3<u32>) {
     let place = on_face(way, face_number);
     let face = face_from(ranges[face_number]);
     let last = vec2<f32>(f32(resolution - 1u));
-    let cell = vec2<u32>(clamp((place.xy / place.z - face.low) * face.cells, vec2<f32>(0.0), last));
+    let cell = vec2<u32>(clamp((place_on_face(place) - face.low) * face.cells, vec2<f32>(0.0), last));
     let index = cell_index(face_number, cell);
     let tile = tile_index(face_number, cell / TILE) * TILE_WORDS;
     let depth = ordered(depth_of(way, place));

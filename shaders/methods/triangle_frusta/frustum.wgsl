@@ -20,28 +20,30 @@ const OUTSIDE: u32 = 0u;
 const ACROSS: u32 = 1u;
 const INSIDE: u32 = 2u;
 
-// The frustum of a triangle for tests with boxes.
+// The frustum of a triangle for tests with boxes. Beside its planes it has one at each corner, whose distance is the sum of
+// those from the two light planes there, each by a scale: they cut off what these leave of a box at sharp corners.
 struct Frustum {
     planes: Blocker,
-    // Normals of planes through the light and a corner: they cut off what the light planes leave of a box at sharp corners.
+    // Of the distances from `ab`, `ac` and `bc`.
+    scales: vec3<f32>,
     at_a: vec3<f32>,
     at_b: vec3<f32>,
     at_c: vec3<f32>,
-    c: vec3<f32>,
 }
 
-fn direction(normal: vec3<f32>) -> vec3<f32> {
+// By what a normal is about 1 long.
+fn scale_of(normal: vec3<f32>) -> f32 {
     let size = abs(normal);
-    let scaled = normal / max(max(size.x, max(size.y, size.z)), 1e-37);
-    return scaled / max(length(scaled), 1e-9);
+    return 1.0 / max(max(size.x, max(size.y, size.z)), 1e-37);
 }
 
 fn frustum_of(caster: Caster) -> Frustum {
     let planes = blocker(caster, frame.light);
-    let ab = direction(planes.ab);
-    let ac = direction(planes.ac);
-    let bc = direction(planes.bc);
-    return Frustum(planes, ab + ac, ab + bc, ac + bc, caster.c.xyz);
+    let scales = vec3<f32>(scale_of(planes.ab), scale_of(planes.ac), scale_of(planes.bc));
+    let ab = scales.x * planes.ab;
+    let ac = scales.y * planes.ac;
+    let bc = scales.z * planes.bc;
+    return Frustum(planes, scales, ab + ac, ab + bc, ac + bc);
 }
 
 // Where the box of a node lies.
@@ -49,17 +51,21 @@ fn side_of(node: Node, frustum: Frustum) -> u32 {
     let planes = frustum.planes;
     let from_a = node.centre.at - planes.a;
     let from_b = node.centre.at - planes.b;
-    let from_c = node.centre.at - frustum.c;
-    let about_a = with_room(from_a, node.extent.half);
-    let about_b = with_room(from_b, node.extent.half);
+    let half = node.extent.half;
+    let about_a = with_room(from_a, half);
+    let about_b = with_room(from_b, half);
     let ab = distances(planes.ab, from_a, about_a);
     let ac = distances(planes.ac, from_a, about_a);
     let bc = distances(planes.bc, from_b, about_b);
     let own = distances(planes.own, from_a, about_a);
-    let at_a = distances(frustum.at_a, from_a, about_a);
-    let at_b = distances(frustum.at_b, from_b, about_b);
-    let at_c = distances(frustum.at_c, from_c, with_room(from_c, node.extent.half));
-    let least = max(max(ab.x - ab.y, max(ac.x - ac.y, bc.x - bc.y)), max(at_a.x - at_a.y, max(at_b.x - at_b.y, at_c.x - at_c.y)));
+    let scaled = frustum.scales * vec3<f32>(ab.x, ac.x, bc.x);
+    // Where two normals nearly cancel, their distances round as before.
+    let rounding = 2.0 * dot(max(about_a, about_b) - half, vec3<f32>(1.0));
+    let at_a = scaled.x + scaled.y - dot(abs(frustum.at_a), half) - rounding;
+    let at_b = scaled.x + scaled.z - dot(abs(frustum.at_b), half) - rounding;
+    let at_c = scaled.y + scaled.z - dot(abs(frustum.at_c), half) - rounding;
+    let least_beside = max(ab.x - ab.y, max(ac.x - ac.y, bc.x - bc.y));
+    let least = max(max(least_beside, at_a), max(at_b, at_c));
     if least > 0.0 || own.x - own.y >= -planes.contact {
         return OUTSIDE;
     }
