@@ -23,6 +23,14 @@ pub(super) struct ViewSamples {
     take: PixelCompute,
 }
 
+/// The constant `scene_rounding` of the methods' shaders: what one subtraction may round by, twice over, where a triangle is as
+/// large as the scene.
+pub(super) fn scene_rounding(context: &PrepareContext<'_>) -> (&'static str, f64) {
+    let bounds = context.resources.extents.scene;
+    let size = (bounds.high - bounds.low).max_element();
+    ("scene_rounding", size / f64::from(1 << 22))
+}
+
 impl ViewSamples {
     /// For pictures of the context's size.
     ///

@@ -1,7 +1,7 @@
 // Needs shared/frame.wgsl and shared/pixels.wgsl. Which cells a triangle may cover, seen from the light; and what it shadows in them.
 //
 // Edges are lines in homogeneous coordinates (Olano and Greer 1997), so that a triangle that reaches behind the lamp needs no
-// clipping. A cell is covered if it reaches across no edge: each edge is moved out by half a cell (Hasselgren,
+// clipping. A cell is covered unless it lies wholly beyond an edge: each edge is moved out by half a cell (Hasselgren,
 // Akenine-Möller and Ohlsson 2005) and by what rounding may do.
 
 #include "shared/blocks.wgsl"

@@ -5,6 +5,8 @@
 override resolution: u32;
 // Whether the samples of a cell are next to each other, or linked.
 override is_sorted: bool;
+// What `is_behind` may round by where the triangle that a point is seen on is as large as the scene.
+override scene_rounding: f32;
 
 const TILE: u32 = 32u;
 const TILE_CELLS: u32 = TILE * TILE;

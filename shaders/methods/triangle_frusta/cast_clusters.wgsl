@@ -1,5 +1,5 @@
 // Holds the shadow of each cluster of triangles against the trees of boxes, and leaves the blocks of tiles that it may meet
-// to `cast_parts`.
+// to `cast_blocks`.
 #include "shared/frame.wgsl"
 #include "shared/pixels.wgsl"
 #include "methods/triangle_frusta/frustum.wgsl"
@@ -31,8 +31,8 @@ const MARGIN: f32 = 1.0 / 1048576.0;
 // Both only rise or only fall with p, so that the ends of the node's box are enough.
 fn may_meet(node: Node, cluster: Cluster) -> bool {
     let light = frame.light;
-    let node_low = node.centre.at - node.extent.half;
-    let node_high = node.centre.at + node.extent.half;
+    let node_low = node.centre.at - node.extent.half - scene_rounding;
+    let node_high = node.centre.at + node.extent.half + scene_rounding;
     let from_low = light.xyz - node_low * light.w;
     let from_high = light.xyz - node_high * light.w;
     var enter = 0.0;
@@ -41,7 +41,11 @@ fn may_meet(node: Node, cluster: Cluster) -> bool {
         let low = from_low[axis];
         let high = from_high[axis];
         if low * high <= 0.0 || min(abs(low), abs(high)) < 1e-18 {
-            // Some rays never leave the slab, or are never in it.
+            // Some rays never leave the slab, or are never in it; all of them where they are parallel.
+            let is_beside = node_high[axis] < cluster.low[axis] || node_low[axis] > cluster.high[axis];
+            if light.w == 0.0 && is_beside {
+                return false;
+            }
             continue;
         }
         let near = select(cluster.high[axis], cluster.low[axis], low > 0.0);

@@ -5,6 +5,8 @@
 override tiles: u32;
 // Trees.
 override slices: u32;
+// What `is_behind` may round by where the triangle that a point is seen on is as large as the scene.
+override scene_rounding: f32;
 
 // For what is done level by level: the first node of the level in each tree, and how many there are.
 override first: u32;

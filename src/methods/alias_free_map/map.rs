@@ -6,7 +6,7 @@ use crate::geometry::rays::casters;
 use crate::gpu::DeviceError;
 use crate::methods::PrepareContext;
 use crate::methods::parts::{PartKernel, Parts};
-use crate::methods::view_samples::ViewSamples;
+use crate::methods::view_samples::{ViewSamples, scene_rounding};
 use wgpu::BufferUsages as Usage;
 
 /// Cells along a side of a tile. Twin of `TILE` in light_map.wgsl, as is what follows.
@@ -51,6 +51,7 @@ impl LightMap {
             constants: [
                 ("resolution", f64::from(tiles * TILE)),
                 ("is_sorted", f64::from(u8::from(is_sorted))),
+                scene_rounding(context),
             ],
         };
         let tile_count = FACES * tiles * tiles;
@@ -187,7 +188,7 @@ impl Cover {
 struct Maker<'a> {
     context: &'a PrepareContext<'a>,
     /// Of all kernels.
-    constants: [(&'static str, f64); 2],
+    constants: [(&'static str, f64); 3],
 }
 
 impl Maker<'_> {

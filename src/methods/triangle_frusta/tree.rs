@@ -3,7 +3,7 @@
 use crate::frame::{FrameResources, Input, PixelCompute, PixelKernel, read, write};
 use crate::gpu::DeviceError;
 use crate::methods::PrepareContext;
-use crate::methods::view_samples::ViewSamples;
+use crate::methods::view_samples::{ViewSamples, scene_rounding};
 use wgpu::BufferUsages as Usage;
 
 /// Pixels along a side of a tile. Twin of `TILE` in tree.wgsl, as is what follows.
@@ -60,6 +60,7 @@ impl Size {
             ("count", 0.0),
             ("tiles", f64::from(self.side)),
             ("slices", f64::from(self.slices)),
+            scene_rounding(context),
         ];
         let kernel = PixelKernel {
             path: &format!("methods/triangle_frusta/{name}.wgsl"),
