@@ -1,5 +1,8 @@
 // Whether something may be behind a triangle, as far as rounded points and boxes tell: never no where `is_behind` says yes.
-// Needs shared/blocks.wgsl, and `scene_rounding`.
+#include "shared/blocks.wgsl"
+
+// What `is_behind` may round by where the triangle that a point is seen on is as large as the scene.
+override scene_rounding: f32;
 
 // What rounding does to a distance from a plane, as a part of its terms.
 const OF_DISTANCE: f32 = 1.0 / 1048576.0;

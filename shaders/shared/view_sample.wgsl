@@ -1,4 +1,6 @@
-// What a picture shows at the pixels whose light is in question, in two arrays, each no larger than a buffer of any device may be.
+// What a picture shows at the pixels whose light is in question, in two arrays, each no larger at 3840 × 2160 than the
+// smallest limit of a buffer.
+#include "shared/blocks.wgsl"
 struct SampleCorner {
     corner: vec3<f32>,
     uncertainty: f32,

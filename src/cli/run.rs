@@ -57,6 +57,10 @@ pub(super) fn execute(
         None => format!("{}: size", plan.path),
     };
     check_size(&gpu, plan.size_px, &place)?;
+    for (scene, size_px) in plan.scenes.iter().filter_map(|s| Some((s, s.size_px?))) {
+        let place = format!("{}: size of `{}`", plan.path, scene.file.name);
+        check_size(&gpu, size_px, &place)?;
+    }
     let out = match &args.out {
         Some(out) => out.clone(),
         None => default_out(&args.config, &gpu)?,

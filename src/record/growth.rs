@@ -1,4 +1,4 @@
-//! Families of scenes that differ in one number, as their names tell: see [`SceneFile::with_sphere_grid`],
+//! Families of scenes that a run grows in one direction, as their names tell: see [`SceneFile::with_sphere_grid`],
 //! [`SceneFile::with_shells`] and [`SceneFile::at_size`].
 //!
 //! [`SceneFile::with_sphere_grid`]: crate::scene::SceneFile::with_sphere_grid
@@ -7,7 +7,8 @@
 
 use super::Summary;
 
-/// What scenes of a family differ in, and nothing else.
+/// What scenes of a family have more and more of. Beside triangles, the number of slices may differ too: a run sets it so that
+/// all have about as many triangles.
 pub struct Growth {
     /// How their names say so, with `#` for digits.
     mark: &'static str,

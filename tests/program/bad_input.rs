@@ -210,6 +210,8 @@ fn a_configuration_is_refused_with_the_place_and_the_nearest_key() {
         ("slices = 8", "slices = 7", &["run.toml:10:10", "even number", "not 7"]),
         ("slices = 8", "rows = 0", &["run.toml:9:9", "at least one row"]),
         ("slices = 8", "shells = 0", &["run.toml:9:9", "one shell"]),
+        ("slices = 8", "size = [60000, 48]",
+         &["run.toml: size of `sphere_grid_60000x48px`", "60000 × 48"]),
         ("slices = 8", "size = [64, 0]", &["run.toml:10:8", "64 × 0", "must be 1 to"]),
         ("frames = 1\nwarm", "frames = 0\nwarm", &["run.toml:3:10", "`frames` is 0", "from 1"]),
         ("[64, 48]", "[64, 0]", &["run.toml:2:8", "64 × 0", "must be 1 to"]),

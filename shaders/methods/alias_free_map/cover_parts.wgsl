@@ -11,7 +11,7 @@ fn cover_parts(
     @builtin(num_workgroups) workgroups: vec3<u32>,
     @builtin(local_invocation_index) lane: u32,
 ) {
-    let number = workgroup.y * workgroups.x + workgroup.x;
+    let number = number_of(workgroup, workgroups);
     if number >= part_count() {
         return;
     }

@@ -4,8 +4,6 @@
 // clipping. A cell is covered unless it lies wholly beyond an edge: each edge is moved out by half a cell (Hasselgren,
 // Akenine-Möller and Ohlsson 2005) and by what rounding may do.
 
-#include "shared/blocks.wgsl"
-#include "shared/first_look.wgsl"
 #include "shared/view_sample.wgsl"
 #include "shared/parts.wgsl"
 #include "methods/alias_free_map/light_map.wgsl"
@@ -23,8 +21,8 @@
 // Cells by which an edge is moved out for rounding.
 const MARGIN: f32 = 1.0 / 16.0;
 const ROUNDING: f32 = 1.0 / 4194304.0;
-// Nearer to the plane through the lamp along a face, a corner is taken to be behind it.
 const DEPTH_ROUNDING: f32 = 1.0 / 65536.0;
+// Nearer to the plane through the lamp along a face, a corner is taken to be behind it.
 const LEAST_W: f32 = 1.0 / 1024.0;
 
 struct Edges {

@@ -1,7 +1,6 @@
 // Finds what samples each face of the light's map holds.
 #include "shared/frame.wgsl"
 #include "shared/pixels.wgsl"
-#include "shared/blocks.wgsl"
 #include "shared/view_sample.wgsl"
 #include "methods/alias_free_map/light_map.wgsl"
 

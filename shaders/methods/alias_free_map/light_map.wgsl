@@ -1,12 +1,11 @@
 // The map of a light: a cube's six faces about a lamp, one face across the direction of a light at infinity, each cut to the
 // samples that it holds and divided into cells. Tiles of 32 × 32 cells come one after another in memory.
+#include "shared/first_look.wgsl"
 
 // Cells along a face.
 override resolution: u32;
 // Whether the samples of a cell are next to each other, or linked.
 override is_sorted: bool;
-// What `is_behind` may round by where the triangle that a point is seen on is as large as the scene.
-override scene_rounding: f32;
 
 const TILE: u32 = 32u;
 const TILE_CELLS: u32 = TILE * TILE;

@@ -1,7 +1,6 @@
 // Brings samples into the lists of their cells: links them, or counts them for `sort_samples`.
 #include "shared/frame.wgsl"
 #include "shared/pixels.wgsl"
-#include "shared/blocks.wgsl"
 #include "shared/view_sample.wgsl"
 #include "methods/alias_free_map/light_map.wgsl"
 

@@ -1,7 +1,6 @@
 // Writes the pixels of each cell's list next to each other.
 #include "shared/frame.wgsl"
 #include "shared/pixels.wgsl"
-#include "shared/blocks.wgsl"
 #include "shared/view_sample.wgsl"
 #include "methods/alias_free_map/light_map.wgsl"
 

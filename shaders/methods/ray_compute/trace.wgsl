@@ -1,7 +1,5 @@
 // A shadow ray a pixel, through a tree with four boxes a node.
-#include "shared/frame.wgsl"
-#include "shared/pixels.wgsl"
-#include "shared/point_seen.wgsl"
+#include "shared/trace.wgsl"
 
 // Twin of `Node` in src/geometry/rays/tree.rs.
 struct Node {
@@ -77,12 +75,4 @@ fn is_blocked(point: SurfacePoint) -> bool {
         }
     }
     return false;
-}
-
-@compute @workgroup_size(8, 8)
-fn trace(@builtin(global_invocation_id) at: vec3<u32>) {
-    let id = asked_triangle(at.xy);
-    if id != 0u && is_blocked(point_seen(at.xy, id)) {
-        darken(pixel_at(at.xy));
-    }
 }

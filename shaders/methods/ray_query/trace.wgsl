@@ -1,8 +1,6 @@
 // A shadow ray a pixel, through the device's own acceleration structure.
 enable wgpu_ray_query;
-#include "shared/frame.wgsl"
-#include "shared/pixels.wgsl"
-#include "shared/point_seen.wgsl"
+#include "shared/trace.wgsl"
 
 @group(2) @binding(2) var<storage, read> casters: array<Caster>;
 @group(2) @binding(3) var structure: acceleration_structure;
@@ -26,12 +24,4 @@ fn is_blocked(point: SurfacePoint) -> bool {
         }
     }
     return false;
-}
-
-@compute @workgroup_size(8, 8)
-fn trace(@builtin(global_invocation_id) at: vec3<u32>) {
-    let id = asked_triangle(at.xy);
-    if id != 0u && is_blocked(point_seen(at.xy, id)) {
-        darken(pixel_at(at.xy));
-    }
 }

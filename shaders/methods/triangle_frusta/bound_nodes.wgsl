@@ -1,7 +1,7 @@
 // Makes the boxes of a level from those below.
 #include "shared/frame.wgsl"
 #include "shared/pixels.wgsl"
-#include "methods/triangle_frusta/tree.wgsl"
+#include "methods/triangle_frusta/level.wgsl"
 
 @group(2) @binding(0) var<storage, read_write> centres: array<NodeCentre>;
 @group(2) @binding(1) var<storage, read_write> extents: array<NodeExtent>;

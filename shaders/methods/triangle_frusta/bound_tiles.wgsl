@@ -1,7 +1,6 @@
 // Makes the boxes of tiles.
 #include "shared/frame.wgsl"
 #include "shared/pixels.wgsl"
-#include "shared/blocks.wgsl"
 #include "shared/view_sample.wgsl"
 #include "methods/triangle_frusta/tree.wgsl"
 

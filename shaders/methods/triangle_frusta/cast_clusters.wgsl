@@ -16,9 +16,6 @@ struct Cluster {
 
 @group(2) @binding(8) var<storage, read> clusters: array<Cluster>;
 
-// Triangles of a cluster: twin of `CLUSTER` in src/methods/triangle_frusta/clusters.rs.
-const CLUSTER: u32 = 32u;
-
 // Which clusters cast: those that face the light, or the others.
 override is_facing: bool;
 

@@ -1,7 +1,7 @@
 // Finds the nodes of a level that have only those below that are all in shadow.
 #include "shared/frame.wgsl"
 #include "shared/pixels.wgsl"
-#include "methods/triangle_frusta/tree.wgsl"
+#include "methods/triangle_frusta/level.wgsl"
 
 @group(2) @binding(0) var<storage, read_write> dark: array<u32>;
 

@@ -1,7 +1,6 @@
 // Brings the shadow of whole nodes to their pixels, and finds the tiles that have no other pixels left.
 #include "shared/frame.wgsl"
 #include "shared/pixels.wgsl"
-#include "shared/blocks.wgsl"
 #include "shared/view_sample.wgsl"
 #include "methods/triangle_frusta/tree.wgsl"
 

@@ -1,6 +1,4 @@
 // A triangle's shadow frustum against boxes and samples. Needs shared/frame.wgsl and shared/pixels.wgsl.
-#include "shared/blocks.wgsl"
-#include "shared/first_look.wgsl"
 #include "shared/view_sample.wgsl"
 #include "shared/parts.wgsl"
 #include "methods/triangle_frusta/tree.wgsl"
@@ -14,6 +12,9 @@
 @group(2) @binding(4) var<storage, read_write> dark: array<atomic<u32>>;
 
 @group(2) @binding(5) var<storage, read> points: array<SamplePoint>;
+
+// Triangles of a cluster: twin of `CLUSTER` in src/methods/triangle_frusta/clusters.rs.
+const CLUSTER: u32 = 32u;
 
 // Where a box lies to a frustum.
 const OUTSIDE: u32 = 0u;

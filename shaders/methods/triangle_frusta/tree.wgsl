@@ -1,16 +1,11 @@
 // Boxes around what a picture shows: of tiles of 4 × 4 pixels, four of them in each one above, up to one for the whole
 // picture. Node 0 is that one; those of node n are 4n + 1 to 4n + 4. There is such a tree for each slice of depth.
+#include "shared/first_look.wgsl"
 
 // Tiles along a side of the square that the lowest nodes make up: a power of 2.
 override tiles: u32;
 // Trees.
 override slices: u32;
-// What `is_behind` may round by where the triangle that a point is seen on is as large as the scene.
-override scene_rounding: f32;
-
-// For what is done level by level: the first node of the level in each tree, and how many there are.
-override first: u32;
-override count: u32;
 
 const TILE: u32 = 4u;
 // Tiles along a side of a block, which is two levels above.
@@ -67,16 +62,6 @@ fn first_block() -> u32 {
 
 fn tree_size() -> u32 {
     return first_tile() + tiles * tiles;
-}
-
-// A node of the level, and the first of those below it, among those of all trees.
-fn node_of_level(number: u32) -> u32 {
-    return number / count * tree_size() + first + number % count;
-}
-
-fn first_below(node: u32) -> u32 {
-    let tree = node / tree_size() * tree_size();
-    return tree + 4u * (node - tree) + 1u;
 }
 
 // Every other bit.

@@ -5,7 +5,7 @@ use crate::scene::Mesh;
 use bytemuck::{Pod, Zeroable};
 use glam::Vec3;
 
-/// How many a cluster has. Twin of `CLUSTER` in cast_clusters.wgsl and cast_blocks.wgsl.
+/// How many a cluster has. Twin of `CLUSTER` in frustum.wgsl.
 const CLUSTER: usize = 32;
 
 /// The box of a cluster. Twin of `Cluster` in cast_clusters.wgsl.

@@ -56,8 +56,6 @@ impl Size {
         inputs: &[Input<'_>],
     ) -> PixelCompute {
         let size = [
-            ("first", 0.0),
-            ("count", 0.0),
             ("tiles", f64::from(self.side)),
             ("slices", f64::from(self.slices)),
             scene_rounding(context),
