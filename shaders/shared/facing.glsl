@@ -1,7 +1,7 @@
 // Which side of a triangle the light is on. The twin of src/geometry/facing.rs, which says why it is
 // done this way; the two agree bit for bit, so change both or neither.
 //
-// DETERMINISM: how the edges of a triangle come to agree, see `Determinism` in facing.rs.
+// DETERMINISM: how the edges of a triangle come to agree, see `Determinism` in facing.rs; 3 is that of methods/adjacency_gs.
 //
 // `precise` forbids the compiler to fuse, reorder or simplify. One operation a line, each in a precise
 // variable of its own: nothing then depends on how far a compiler carries the qualifier.
@@ -58,12 +58,34 @@ int facing_of_edge(vec3 a, vec3 b, vec3 opposite, vec4 light) {
 #endif
 }
 
+#if DETERMINISM == 3
+// Whether the light is above the plane of a triangle, as found at its corner a.
+bool is_above(vec3 a, vec3 b, vec3 c, vec4 light) {
+    precise vec3 e = b - a;
+    precise vec3 x = c - a;
+    precise vec3 left = e.yzx * x.zxy;
+    precise vec3 right = e.zxy * x.yzx;
+    precise vec3 normal = left - right;
+    precise vec3 scaled = a * light.w;
+    precise vec3 y = light.xyz - scaled;
+    precise vec3 terms = normal * y;
+    precise float xy = terms.x + terms.y;
+    precise float d = xy + terms.z;
+    return d > 0.0;
+}
+#endif
+
 // +1 if the light lies on the side from which a, b, c look counter-clockwise, -1 on the other side,
 // 0 in the plane of the triangle or if two vertices are equal. light.w: 1 position, 0 direction towards
 // the light. Vertices and light are multiples of 2^-40.
 int facing(vec3 a, vec3 b, vec3 c, vec4 light) {
 #if DETERMINISM == 2
     return -light_plane_side(a, b, c, light);
+#elif DETERMINISM == 3
+    // Stich et al. 2007, section 11.3.2: the triangle is asked at each of its corners, whichever comes first, and faces the
+    // light if any says so. Every other one faces away.
+    bool faces = is_above(a, b, c, light) || is_above(b, c, a, light) || is_above(c, a, b, light);
+    return faces ? 1 : -1;
 #else
     if (vertex_less(b, a)) return -facing_of_edge(b, a, c, light);
     return facing_of_edge(a, b, c, light);

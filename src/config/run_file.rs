@@ -66,6 +66,8 @@ struct SceneWire {
     columns: Option<u32>,
     slices: Option<Spanned<u32>>,
     shells: Option<u32>,
+    objects: Option<u32>,
+    tree_triangles: Option<u32>,
     size: Option<Spanned<Exactly<u32, 2>>>,
     scales: Option<Vec<Spanned<String>>>,
 }
@@ -345,6 +347,11 @@ fn read_scene(wire: &SceneWire, base: &Path) -> Result<ScenePlan, Misplaced> {
                 let span = span.unwrap_or(wire.scene.span());
                 Misplaced::new(span, scene_lookup::chain(&error))
             })?;
+    }
+    if wire.objects.is_some() || wire.tree_triangles.is_some() {
+        file = file
+            .with_city(wire.objects, wire.tree_triangles)
+            .map_err(|error| misplaced(scene_lookup::chain(&error)))?;
     }
     let size_px = wire.size.as_ref().map(picture_size).transpose()?;
     if let Some(size_px) = size_px {

@@ -5,11 +5,12 @@ use super::numbered::NumberedVertices;
 use crate::gpu::native::VertexInput;
 use crate::gpu::{DeviceError, Gpu};
 use crate::scene::Mesh;
+use glam::Vec4;
 use std::ops::Range;
 
 /// Vertex and element buffers of all objects, and which part belongs to which.
 pub struct SceneBuffers {
-    /// `vec4` a vertex: xyz, 1. Usable as vertex and as storage buffer.
+    /// `vec4` a vertex: xyz, 1; and one more with zeros, for what has no vertex. Usable as vertex and as storage buffer.
     pub positions: wgpu::Buffer,
     /// Three `u32` a triangle. Usable as index and as storage buffer.
     pub indices: wgpu::Buffer,
@@ -52,8 +53,13 @@ impl SceneBuffers {
         // Both are looked at before anything is copied.
         let storage = wgpu::BufferUsages::STORAGE;
         Self::check(gpu, triangles)?;
-        gpu.check_buffer(&vertices_name, Self::VERTEX_STRIDE * vertices, storage)?;
-        let positions: Vec<_> = mesh.positions.iter().map(|p| p.extend(1.0)).collect();
+        gpu.check_buffer(
+            &vertices_name,
+            Self::VERTEX_STRIDE * (vertices + 1),
+            storage,
+        )?;
+        let positions = mesh.positions.iter().map(|p| p.extend(1.0));
+        let positions: Vec<_> = positions.chain([Vec4::ZERO]).collect();
         let positions = gpu.buffer(
             &vertices_name,
             bytemuck::cast_slice(&positions),

@@ -41,27 +41,32 @@ impl Clash {
     }
 }
 
+/// A plan decides what other parameters would.
+pub(super) const PLAN: Clash = Clash {
+    beside: ("plan", "auto"),
+    parameters: &[
+        "counting", "reach", "culling", "occluded", "casting", "edges",
+    ],
+    effect: Effect::Refused,
+    why: "the plan decides them",
+};
+
+/// Z-fail has no second count.
+pub(super) const Z_FAIL: Clash = Clash {
+    beside: ("counting", "z_fail"),
+    parameters: &["casting=each_side"],
+    effect: Effect::Ignored,
+    why: "a second count goes on where the first has ended, in front of what is visible: of objects that are not closed, all triangles cast",
+};
+
+/// Z-pass has no caps.
+pub(super) const Z_PASS: Clash = Clash {
+    beside: ("counting", "z_pass"),
+    parameters: &["caps", "front_cap"],
+    effect: Effect::Ignored,
+    why: "z-pass draws no caps",
+};
+
 /// Those of volume methods. Whatever is not among them may be set together: each way to find silhouettes with each counter, way of
 /// counting and plan.
-pub(super) const OF_VOLUMES: &[Clash] = &[
-    Clash {
-        beside: ("plan", "auto"),
-        parameters: &[
-            "counting", "reach", "culling", "occluded", "casting", "edges",
-        ],
-        effect: Effect::Refused,
-        why: "the plan decides them",
-    },
-    Clash {
-        beside: ("counting", "z_fail"),
-        parameters: &["casting=each_side"],
-        effect: Effect::Ignored,
-        why: "a second count goes on where the first has ended, in front of what is visible: of objects that are not closed, all triangles cast",
-    },
-    Clash {
-        beside: ("counting", "z_pass"),
-        parameters: &["caps", "front_cap"],
-        effect: Effect::Ignored,
-        why: "z-pass draws no caps",
-    },
-];
+pub(super) const OF_VOLUMES: &[Clash] = &[PLAN, Z_FAIL, Z_PASS];

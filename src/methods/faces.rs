@@ -107,10 +107,19 @@ pub(super) fn of_triangles(
 /// Front and back caps of all triangles, by a geometry shader. The back cap is behind everything,
 /// tested or not.
 pub(super) fn caps(context: &PrepareContext<'_>, parameters: &StageVolumeParameters) -> Faces {
+    caps_with(context, parameters, &parameters.defines(&[]))
+}
+
+/// The same with other definitions for the shader.
+pub(super) fn caps_with(
+    context: &PrepareContext<'_>,
+    parameters: &StageVolumeParameters,
+    defines: &[(&str, u32)],
+) -> Faces {
     Faces {
         stages: vec![
             shader::glsl("methods/volumes/index.vert", &[]),
-            shader::glsl("methods/volumes/caps.geom", &parameters.defines(&[])),
+            shader::glsl("methods/volumes/caps.geom", defines),
         ],
         fragments: Fragments::Count,
         input: VertexInput::Numbers,

@@ -4,6 +4,7 @@
 //! A [`ShadowMethod`] is a method with its parameters, as a configuration names it; a
 //! [`PreparedMethod`] is that method made ready for one scene on one device.
 
+mod adjacency_gs;
 mod alias_free_map;
 mod capping;
 mod casters;

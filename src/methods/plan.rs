@@ -151,6 +151,13 @@ impl Planner {
         }
     }
 
+    /// Plans all objects as if they were closed and wound consistently.
+    pub(super) fn take_all_as_closed(&mut self) {
+        if let Some(sides) = &mut self.sides {
+            sides.closed = vec![true; sides.closed.len()].into();
+        }
+    }
+
     /// The plan of a frame, given the boxes around the casters.
     ///
     /// # Panics

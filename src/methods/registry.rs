@@ -3,9 +3,9 @@
 use super::parameters::{Parameter, ParameterError, configure};
 use super::{MethodInfo, ShadowMethod};
 use super::{
-    alias_free_map, cube_shadow_map, ray_compute, ray_cpu, ray_query, shadow_map, silhouette_cpu,
-    silhouette_cs, silhouette_gs, silhouette_ms, silhouette_ts, silhouette_vs, triangle_frusta,
-    triangle_gs, triangle_ts,
+    adjacency_gs, alias_free_map, cube_shadow_map, ray_compute, ray_cpu, ray_query, shadow_map,
+    silhouette_cpu, silhouette_cs, silhouette_gs, silhouette_ms, silhouette_ts, silhouette_vs,
+    triangle_frusta, triangle_gs, triangle_ts,
 };
 use crate::toml_error;
 use crate::variant::{Variant, VariantError};
@@ -66,6 +66,7 @@ impl Registry {
             .with::<silhouette_vs::SilhouetteVs>()
             .with::<triangle_ts::TriangleTs>()
             .with::<triangle_gs::TriangleGs>()
+            .with::<adjacency_gs::AdjacencyGs>()
             .with::<ray_query::RayQuery>()
             .with::<ray_compute::RayCompute>()
             .with::<ray_cpu::RayCpu>()
@@ -214,7 +215,8 @@ mod tests {
             info, parameters, ..
         } in Registry::builtin().iter()
         {
-            let is_volume = info.id.starts_with("silhouette") || info.id.starts_with("triangle");
+            let of_volumes = ["silhouette", "triangle", "adjacency"];
+            let is_volume = of_volumes.iter().any(|what| info.id.starts_with(what));
             for Parameter { name, default, .. } in parameters {
                 let default = match default.is_null() {
                     true => "the camera's".to_owned(),

@@ -184,6 +184,16 @@ impl Deref for PortableVolumeParameters {
 }
 
 impl StageVolumeParameters {
+    /// For a method that has parameters of its own for the rest.
+    pub(super) fn new(volume: VolumeParameters, casting: Casting, counter: Counter) -> Self {
+        Self {
+            determinism: Determinism::ReferenceEdge,
+            casting,
+            counter,
+            volume,
+        }
+    }
+
     /// With what [`Plan::Auto`] makes of them.
     ///
     /// # Errors
@@ -214,7 +224,16 @@ impl StageVolumeParameters {
 
     /// The definitions that shaders take them by, and `more`.
     pub(super) fn defines<'a>(&self, more: &[(&'a str, u32)]) -> Vec<(&'a str, u32)> {
-        let mut defines = vec![("DETERMINISM", self.determinism as u32)];
+        self.defines_with(self.determinism as u32, more)
+    }
+
+    /// The same with another number for how edges agree.
+    pub(super) fn defines_with<'a>(
+        &self,
+        determinism: u32,
+        more: &[(&'a str, u32)],
+    ) -> Vec<(&'a str, u32)> {
+        let mut defines = vec![("DETERMINISM", determinism)];
         if self.depth == DepthDirection::Standard {
             defines.push(("STANDARD_DEPTH", 1));
         }

@@ -98,6 +98,11 @@ impl StencilVolumes {
         })
     }
 
+    /// See [`Planner::take_all_as_closed`].
+    pub(super) fn take_all_as_closed(&mut self) {
+        self.planner.take_all_as_closed();
+    }
+
     /// Draws the objects of each way of counting, faces after faces.
     fn draw(&self, pass: &mut NativePass<'_>, plan: &FramePlan) {
         for faces in &self.faces {

@@ -1,8 +1,9 @@
 //! Families of scenes that a run grows in one direction, as their names tell: see [`SceneFile::with_sphere_grid`],
-//! [`SceneFile::with_shells`] and [`SceneFile::at_size`].
+//! [`SceneFile::with_shells`], [`SceneFile::with_city`] and [`SceneFile::at_size`].
 //!
 //! [`SceneFile::with_sphere_grid`]: crate::scene::SceneFile::with_sphere_grid
 //! [`SceneFile::with_shells`]: crate::scene::SceneFile::with_shells
+//! [`SceneFile::with_city`]: crate::scene::SceneFile::with_city
 //! [`SceneFile::at_size`]: crate::scene::SceneFile::at_size
 
 use super::Summary;
@@ -10,8 +11,8 @@ use super::Summary;
 /// What scenes of a family have more and more of. Beside triangles, the number of slices may differ too: a run sets it so that
 /// all have about as many triangles.
 pub struct Growth {
-    /// How their names say so, with `#` for digits.
-    mark: &'static str,
+    /// How their names say so, with `#` for digits: one of these.
+    marks: &'static [&'static str],
     /// In file names.
     pub name: &'static str,
     /// In words.
@@ -23,25 +24,25 @@ pub struct Growth {
 /// All that is known.
 pub const ALL: [Growth; 4] = [
     Growth {
-        mark: "_n#",
+        marks: &["_n#"],
         name: "triangles",
         title: "Casting triangles",
         of: |row| row.triangles,
     },
     Growth {
-        mark: "_#x#_n#",
+        marks: &["_#x#_n#", "_o#"],
         name: "objects",
         title: "Casting objects",
         of: |row| row.objects,
     },
     Growth {
-        mark: "_d#_n#",
+        marks: &["_d#_n#"],
         name: "shells",
         title: "Nested shells",
         of: |row| number_after("_d", &row.scene),
     },
     Growth {
-        mark: "_#x#px",
+        marks: &["_#x#px"],
         name: "pixels",
         title: "Pixels",
         of: |row| Some(u64::from(row.width) * u64::from(row.height)),
@@ -51,7 +52,7 @@ pub const ALL: [Growth; 4] = [
 impl Growth {
     /// The family of a scene: its name without the last part that tells how much. `None` where it does not tell.
     pub fn family(&self, scene: &str) -> Option<String> {
-        family(scene, self.mark)
+        self.marks.iter().find_map(|mark| family(scene, mark))
     }
 
     /// How much of it a row's scene has.

@@ -64,6 +64,19 @@ impl CameraPath {
         })
     }
 
+    /// The same path where lengths so far were in radii of the sphere around a box, and places counted from its middle.
+    #[must_use]
+    pub fn around(mut self, low: Vec3, high: Vec3) -> Self {
+        let centre = low + (high - low) / 2.0;
+        let radius = ((high - low) / 2.0).length();
+        for key in &mut self.keys {
+            key.eye = centre + radius * key.eye;
+            key.target = centre + radius * key.target;
+        }
+        self.near *= radius;
+        self
+    }
+
     /// A camera that does not move.
     #[must_use]
     pub fn still(view: &View) -> Self {

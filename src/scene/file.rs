@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use serde::Deserialize;
 
 use super::Scene;
+use super::city::City;
 use super::flight::Flight;
 use super::ground::Ground;
 use super::mesh::Mesh;
@@ -28,6 +29,20 @@ pub struct SceneFile {
     pub expect: Option<Expect>,
     /// Where camera and light are in time.
     pub flight: Flight,
+    /// What the camera's lengths are in.
+    pub camera_unit: CameraUnit,
+}
+
+/// What lengths of a camera are in.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum CameraUnit {
+    /// That of the mesh.
+    #[default]
+    World,
+    /// The radius of the sphere around the box of all that casts, from whose middle places are counted: the same camera
+    /// shows the whole of a scene of any size.
+    Scene,
 }
 
 /// Where the triangles of a scene come from.
@@ -35,6 +50,8 @@ pub struct SceneFile {
 pub enum MeshSource {
     /// They are computed.
     SphereGrid(SphereGrid),
+    /// The same, of a city.
+    City(City),
     /// They are read from an OBJ file.
     Obj {
         /// The file, looked up by a [`ModelSearch`].
@@ -130,6 +147,36 @@ impl SceneFile {
         Ok(self)
     }
 
+    /// With another city: each number that is given replaces the file's, and the scene is called after it.
+    ///
+    /// # Errors
+    /// When its mesh is no city, or there is no such city.
+    pub fn with_city(
+        mut self,
+        objects: Option<u32>,
+        tree_triangles: Option<u32>,
+    ) -> Result<Self, SceneError> {
+        let MeshSource::City(city) = &mut self.mesh else {
+            return Err(SceneError::NotACity { scene: self.name });
+        };
+        if let Some(triangles) = tree_triangles {
+            city.tree_triangles = triangles;
+            self.name += &format!("_t{triangles}");
+            self.title += &format!(", a tree of {triangles} triangles");
+        }
+        if let Some(objects) = objects {
+            city.objects = objects;
+            self.name += &format!("_o{objects}");
+            self.title += &format!(", {objects} objects");
+        }
+        city.validate().map_err(|source| SceneError::City {
+            scene: self.name.clone(),
+            source,
+        })?;
+        self.expect = None;
+        Ok(self)
+    }
+
     /// In pictures of this size, which the scene is called after.
     pub fn at_size(mut self, (width, height): (u32, u32)) -> Self {
         self.name = format!("{}_{width}x{height}px", self.name);
@@ -152,9 +199,14 @@ impl SceneFile {
             });
         }
         let (name, title) = (self.name.clone(), self.title.clone());
+        let mut flight = self.flight.clone();
+        if self.camera_unit == CameraUnit::Scene {
+            let (low, high) = mesh.caster_bounds();
+            flight.camera = flight.camera.around(low, high);
+        }
         Ok(Scene {
             notes,
-            ..Scene::new(name, title, mesh, self.flight.clone())
+            ..Scene::new(name, title, mesh, flight)
         })
     }
 
@@ -167,6 +219,16 @@ impl SceneFile {
                     notes: Vec::new(),
                 }),
                 Err(source) => Err(SceneError::SphereGrid {
+                    scene: scene(),
+                    source,
+                }),
+            },
+            MeshSource::City(city) => match city.mesh() {
+                Ok(mesh) => Ok(Model {
+                    mesh,
+                    notes: Vec::new(),
+                }),
+                Err(source) => Err(SceneError::City {
                     scene: scene(),
                     source,
                 }),

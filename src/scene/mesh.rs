@@ -78,6 +78,17 @@ impl Mesh {
             .fold((first, first), |(low, high), &p| (low.min(p), high.max(p)))
     }
 
+    /// The same of what casts.
+    pub fn caster_bounds(&self) -> (Vec3, Vec3) {
+        let mut casting = self
+            .casters()
+            .flat_map(|object| &self.positions[object.vertex_range()]);
+        let Some(&first) = casting.next() else {
+            return (Vec3::ZERO, Vec3::ZERO);
+        };
+        casting.fold((first, first), |(low, high), &p| (low.min(p), high.max(p)))
+    }
+
     /// Hexadecimal BLAKE3 of all that decides what is drawn and what casts: positions, triangles,
     /// and the ranges and casting of the objects; not of their names.
     pub fn hash(&self) -> String {

@@ -1,6 +1,7 @@
 //! What is drawn: a mesh, and a flight of camera and light, from a scene file or a model file.
 
 pub mod camera;
+pub mod city;
 pub mod export;
 pub mod file;
 pub mod flight;
@@ -32,6 +33,7 @@ use std::sync::Arc;
 use glam::Vec3;
 
 pub use camera::{CameraKey, CameraPath};
+pub use city::{City, CityError};
 pub use export::ExportError;
 pub use file::SceneFile;
 pub use flight::{Flight, FrameError, Moment, MomentError};

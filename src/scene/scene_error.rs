@@ -4,6 +4,7 @@ use std::fmt::Write;
 use std::io;
 use std::path::{Path, PathBuf};
 
+use super::city::CityError;
 use super::obj::ObjError;
 use super::sphere_grid::SphereGridError;
 
@@ -63,6 +64,22 @@ pub enum SceneError {
          \"sphere_grid\""
     )]
     NotASphereGrid {
+        /// The scene.
+        scene: String,
+    },
+    /// Numbers that no city can have.
+    #[error("scene {scene}: no such city")]
+    City {
+        /// The scene.
+        scene: String,
+        /// What is wrong with the numbers.
+        source: CityError,
+    },
+    /// A number of objects was asked for where there is no city.
+    #[error(
+        "scene {scene}: objects and tree_triangles can be chosen only where [mesh] kind is \"city\""
+    )]
+    NotACity {
         /// The scene.
         scene: String,
     },

@@ -26,7 +26,7 @@ const MAX_AMBIGUOUS_PX: u64 = WIDTH as u64 * HEIGHT as u64 / 5_000;
 /// Seeds of views and lights, and how many of each. With 3 and 11, volumes once had artifacts.
 const SEEDS: [u64; 3] = [3, 4, 11];
 const SHOTS: usize = 7;
-const METHODS: [&str; 10] = [
+const METHODS: [&str; 12] = [
     "silhouette_ts",
     "silhouette_gs",
     "silhouette_ts,determinism=consistent_triangle,counting=auto",
@@ -37,6 +37,8 @@ const METHODS: [&str; 10] = [
     "silhouette_cpu,counting=auto,extraction=hextree",
     "triangle_gs",
     "triangle_ts,counting=auto",
+    "adjacency_gs,mode=robust",
+    "adjacency_gs,mode=robust,determinism=any_corner,counting=auto",
 ];
 
 /// Error of a picture, and how many of its wrong pixels are hard.

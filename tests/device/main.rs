@@ -1,6 +1,7 @@
 //! What needs a device: one program, so that all its tests share one, opened once.
 
 mod accuracy;
+mod adjacency;
 mod clashes;
 mod common;
 mod contract;

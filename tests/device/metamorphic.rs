@@ -14,11 +14,12 @@ use svbench::stress::metamorphic::Original;
 use svbench::stress::{Change, Changed, damage, metamorphic, random};
 
 const SIZE_PX: (u32, u32) = (160, 120);
-const METHODS: [&str; 9] = [
+const METHODS: [&str; 10] = [
     "silhouette_ts",
     "silhouette_gs",
     "triangle_ts",
     "triangle_gs",
+    "adjacency_gs,mode=robust",
     "silhouette_gs,counting=auto",
     "silhouette_cpu",
     "ray_cpu",

@@ -22,7 +22,13 @@ const SILHOUETTES: [&str; 4] = [
     "silhouette_ts,input=storage",
     "silhouette_gs,input=storage",
 ];
-const TRIANGLES: [&str; 3] = ["triangle_ts", "triangle_ts,passes=1", "triangle_gs"];
+const TRIANGLES: [&str; 5] = [
+    "triangle_ts",
+    "triangle_ts,passes=1",
+    "triangle_gs",
+    "adjacency_gs,mode=robust",
+    "adjacency_gs,mode=robust,determinism=any_corner",
+];
 
 fn volume_methods() -> impl Iterator<Item = &'static str> {
     SILHOUETTES.into_iter().chain(TRIANGLES)
@@ -215,6 +221,7 @@ fn z_pass_fails_where_the_eye_is_in_shadow_and_auto_does_not() {
         "silhouette_vs",
         "triangle_ts",
         "triangle_gs",
+        "adjacency_gs",
     ] {
         let artifacts = |counting: &str| {
             let (_, error) = draw(&gpu, &scene, &format!("{method},counting={counting}"));
@@ -356,6 +363,8 @@ fn a_square_casts_the_shadow_that_geometry_says() {
         ("triangle_ts", 1.0),
         ("triangle_ts,passes=1", 1.0),
         ("triangle_gs", 1.0),
+        ("adjacency_gs", 1.0),
+        ("adjacency_gs,mode=robust,determinism=any_corner", 1.0),
         ("ray_query", 1.0),
         ("ray_compute", 1.0),
         ("ray_cpu", 1.0),

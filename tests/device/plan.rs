@@ -19,7 +19,7 @@ const SIZE_PX: (u32, u32) = (160, 120);
 const FULL: &str = "silhouette_gs,reach=infinity";
 
 /// Each switch alone, and all of them.
-const PLANS: [&str; 18] = [
+const PLANS: [&str; 20] = [
     "silhouette_gs,counting=auto",
     "silhouette_gs,counting=z_pass_counted",
     "silhouette_gs,reach=object",
@@ -38,6 +38,8 @@ const PLANS: [&str; 18] = [
     "silhouette_ms,plan=auto",
     "silhouette_vs,plan=auto",
     "triangle_gs,plan=auto",
+    "adjacency_gs,plan=auto",
+    "adjacency_gs,counting=auto,culling=frustum",
 ];
 
 /// Those that leave out occluded triangles, where the light stands still.

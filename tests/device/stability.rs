@@ -9,7 +9,7 @@ use svbench::stress::{Finding, find_cause, random};
 
 pub(crate) const SIZE_PX: (u32, u32) = (160, 120);
 /// What promises to be exact.
-const ROBUST: [&str; 10] = [
+const ROBUST: [&str; 11] = [
     "silhouette_ts",
     "silhouette_gs",
     "silhouette_gs,counting=auto",
@@ -20,6 +20,7 @@ const ROBUST: [&str; 10] = [
     "silhouette_cpu,counting=auto",
     "triangle_ts",
     "triangle_gs",
+    "adjacency_gs,mode=robust",
 ];
 
 fn methods(ids: &[&str]) -> Vec<Box<dyn ShadowMethod>> {

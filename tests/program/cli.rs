@@ -519,6 +519,7 @@ fn lists_say_what_can_run_here() {
             "silhouette_vs",
             "triangle_ts",
             "triangle_gs",
+            "adjacency_gs",
             "ray_query",
             "ray_compute",
             "ray_cpu",

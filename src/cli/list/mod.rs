@@ -161,6 +161,7 @@ fn scenes() -> anyhow::Result<Vec<SceneRow>> {
                 );
                 (text, None)
             }
+            MeshSource::City(city) => (format!("a city of {} objects", city.objects), None),
             MeshSource::Obj { file, .. } => {
                 let missing = plan.search.find(file).is_none();
                 let reason = format!("{} not found; set SVBENCH_MODELS", file.display());

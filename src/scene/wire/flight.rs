@@ -7,6 +7,7 @@ use toml::Spanned;
 use super::sun::SunWire;
 use super::{Misplaced, misplaced};
 use crate::scene::camera::{CameraKey, CameraPath};
+use crate::scene::file::CameraUnit;
 use crate::scene::light::{Light, LightError};
 use crate::scene::light_keys::{LightKey, LightKeys};
 use crate::scene::light_path::LightPath;
@@ -101,6 +102,8 @@ impl LightWire {
 pub(super) struct CameraWire {
     fov_deg: Spanned<f64>,
     near: Spanned<f32>,
+    #[serde(default)]
+    pub(super) unit: CameraUnit,
     #[serde(default)]
     up: Option<Spanned<Exactly<f32, 3>>>,
     keys: Spanned<Vec<Spanned<KeyWire>>>,

@@ -8,6 +8,7 @@ use serde::Deserialize;
 use toml::Spanned;
 
 use super::{Misplaced, misplaced};
+use crate::scene::city::City;
 use crate::scene::file::{MeshSource, Receiver};
 use crate::scene::ground::Ground;
 use crate::scene::mesh::LARGEST_COORDINATE;
@@ -18,10 +19,11 @@ use crate::scene::sphere_grid::SphereGrid;
 #[serde(rename_all = "snake_case")]
 enum MeshKind {
     SphereGrid,
+    City,
     Obj,
 }
 
-/// The keys of both kinds: an enum of tables would lose the places of errors.
+/// The keys of all kinds: an enum of tables would lose the places of errors.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct MeshWire {
@@ -30,6 +32,10 @@ pub(super) struct MeshWire {
     columns: Option<Spanned<u32>>,
     slices: Option<Spanned<u32>>,
     shells: Option<Spanned<u32>>,
+    objects: Option<Spanned<u32>>,
+    seed: Option<Spanned<u64>>,
+    ledges: Option<Spanned<u32>>,
+    tree_triangles: Option<Spanned<u32>>,
     file: Option<Spanned<PathBuf>>,
     up: Option<Spanned<Up>>,
     source: Option<Spanned<String>>,
@@ -49,60 +55,100 @@ impl MeshWire {
         self,
         place: &dyn Fn(&Range<usize>) -> String,
     ) -> Result<MeshSource, Misplaced> {
-        let Self {
-            kind,
-            rows,
-            columns,
-            slices,
-            shells,
-            file,
-            up,
-            source,
-            receivers,
-            ground,
-        } = self;
-        let needed = |key: &str| misplaced(&kind, &format!("this kind of mesh needs `{key}`"));
-        match *kind.get_ref() {
+        self.refuse_strangers()?;
+        match *self.kind.get_ref() {
             MeshKind::SphereGrid => {
-                let strangers = [
-                    span_of("file", &file),
-                    span_of("up", &up),
-                    span_of("source", &source),
-                    span_of("receivers", &receivers),
-                    span_of("ground", &ground),
-                ];
-                refuse(&strangers, "obj")?;
                 let grid = SphereGrid {
-                    rows: rows.ok_or_else(|| needed("rows"))?.into_inner(),
-                    columns: columns.ok_or_else(|| needed("columns"))?.into_inner(),
-                    slices: slices.ok_or_else(|| needed("slices"))?.into_inner(),
-                    shells: shells.map_or(1, Spanned::into_inner),
+                    rows: self.needed("rows", &self.rows)?,
+                    columns: self.needed("columns", &self.columns)?,
+                    slices: self.needed("slices", &self.slices)?,
+                    shells: value_or(&self.shells, 1),
                 };
-                grid.validate().map_err(|error| misplaced(&kind, &error))?;
+                grid.validate()
+                    .map_err(|error| misplaced(&self.kind, &error))?;
                 Ok(MeshSource::SphereGrid(grid))
             }
-            MeshKind::Obj => {
-                let strangers = [
-                    span_of("rows", &rows),
-                    span_of("columns", &columns),
-                    span_of("slices", &slices),
-                    span_of("shells", &shells),
-                ];
-                refuse(&strangers, "sphere_grid")?;
-                Ok(MeshSource::Obj {
-                    file: file.ok_or_else(|| needed("file"))?.into_inner(),
-                    up: up.ok_or_else(|| needed("up"))?.into_inner(),
-                    origin: source.map(Spanned::into_inner),
-                    receivers: receivers.map_or(Ok(Vec::new()), |names| {
-                        check_receivers(names.into_inner(), place)
-                    })?,
-                    ground: ground
-                        .map(|ground| check_ground(ground.get_ref()))
-                        .transpose()?,
-                })
+            MeshKind::City => {
+                let city = City {
+                    objects: self.needed("objects", &self.objects)?,
+                    seed: value_or(&self.seed, 0),
+                    ledges: value_or(&self.ledges, 0),
+                    tree_triangles: value_or(&self.tree_triangles, 0),
+                };
+                city.validate()
+                    .map_err(|error| misplaced(&self.kind, &error))?;
+                Ok(MeshSource::City(city))
             }
+            MeshKind::Obj => Ok(MeshSource::Obj {
+                file: self.needed("file", &self.file)?,
+                up: self.needed("up", &self.up)?,
+                origin: self.source.map(Spanned::into_inner),
+                receivers: self.receivers.map_or(Ok(Vec::new()), |names| {
+                    check_receivers(names.into_inner(), place)
+                })?,
+                ground: self
+                    .ground
+                    .map(|ground| check_ground(ground.get_ref()))
+                    .transpose()?,
+            }),
         }
     }
+
+    fn needed<T: Clone>(&self, key: &str, value: &Option<Spanned<T>>) -> Result<T, Misplaced> {
+        let value = value.as_ref().map(|value| value.get_ref().clone());
+        value.ok_or_else(|| {
+            let message = format!("this kind of mesh needs `{key}`");
+            misplaced(&self.kind, &message)
+        })
+    }
+
+    /// Keys of other kinds.
+    fn refuse_strangers(&self) -> Result<(), Misplaced> {
+        let of_kinds = [
+            (
+                MeshKind::SphereGrid,
+                "sphere_grid",
+                vec![
+                    span_of("rows", &self.rows),
+                    span_of("columns", &self.columns),
+                    span_of("slices", &self.slices),
+                    span_of("shells", &self.shells),
+                ],
+            ),
+            (
+                MeshKind::City,
+                "city",
+                vec![
+                    span_of("objects", &self.objects),
+                    span_of("seed", &self.seed),
+                    span_of("ledges", &self.ledges),
+                    span_of("tree_triangles", &self.tree_triangles),
+                ],
+            ),
+            (
+                MeshKind::Obj,
+                "obj",
+                vec![
+                    span_of("file", &self.file),
+                    span_of("up", &self.up),
+                    span_of("source", &self.source),
+                    span_of("receivers", &self.receivers),
+                    span_of("ground", &self.ground),
+                ],
+            ),
+        ];
+        let strangers = of_kinds
+            .iter()
+            .filter(|(kind, ..)| kind != self.kind.get_ref());
+        for (_, kind, keys) in strangers {
+            refuse(keys, kind)?;
+        }
+        Ok(())
+    }
+}
+
+fn value_or<T: Copy>(value: &Option<Spanned<T>>, otherwise: T) -> T {
+    value.as_ref().map_or(otherwise, |value| *value.get_ref())
 }
 
 fn check_ground(wire: &GroundWire) -> Result<Ground, Misplaced> {

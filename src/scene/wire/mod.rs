@@ -73,12 +73,14 @@ impl FileWire {
         place: &dyn Fn(&Range<usize>) -> String,
     ) -> Result<SceneFile, Misplaced> {
         let mesh = self.mesh.check(place)?;
+        let camera_unit = self.camera.unit;
         let camera = self.camera.check()?;
         Ok(SceneFile {
             name,
             title: self.title,
             mesh,
             expect: self.expect,
+            camera_unit,
             flight: Flight {
                 light: LightWire::check(&self.light, camera.duration_s())?,
                 camera,
