@@ -110,6 +110,8 @@ fn write_plan(f: &mut Formatter<'_>, drawn: DrawnVolumes, frames: usize) -> Resu
     let a_frame = |objects: u32| f64::from(objects) / frames as f64;
     let DrawnVolumes {
         culled,
+        hidden,
+        queries: _,
         z_pass,
         z_pass_counted,
         z_fail,
@@ -122,6 +124,10 @@ fn write_plan(f: &mut Formatter<'_>, drawn: DrawnVolumes, frames: usize) -> Resu
         (
             culled,
             "not drawn: nothing of them is left to cast, or it shadows nothing in view",
+        ),
+        (
+            hidden,
+            "not drawn: hidden, as boxes around their volumes are",
         ),
         (z_pass, "counted z-pass, without caps"),
         (

@@ -66,6 +66,10 @@ pub trait PreparedMethod {
 pub struct DrawnVolumes {
     /// Not at all: they cannot shadow anything in view.
     pub culled: u32,
+    /// Nor these: hidden, as the device found.
+    pub hidden: u32,
+    /// Boxes that it was asked about.
+    pub queries: u32,
     /// Of the others, counted z-pass.
     pub z_pass: u32,
     /// Of these, with the near rectangle in their volumes.
@@ -85,6 +89,8 @@ pub struct DrawnVolumes {
 impl AddAssign for DrawnVolumes {
     fn add_assign(&mut self, other: Self) {
         self.culled += other.culled;
+        self.hidden += other.hidden;
+        self.queries += other.queries;
         self.z_pass += other.z_pass;
         self.z_pass_counted += other.z_pass_counted;
         self.z_fail += other.z_fail;

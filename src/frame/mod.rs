@@ -12,6 +12,7 @@ pub mod fullscreen;
 mod gbuffer;
 mod mask_pass;
 mod numbered;
+pub mod occlusion;
 mod pixel_buffers;
 mod pixel_compute;
 mod resolve;

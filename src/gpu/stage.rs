@@ -24,7 +24,12 @@ impl<'f> FrameRecorder<'f> {
     }
 }
 
-impl Stage<'_, '_> {
+impl<'f> Stage<'_, 'f> {
+    /// The device.
+    pub fn gpu(&self) -> &'f Gpu {
+        self.frame.gpu
+    }
+
     /// The encoder that wgpu's passes and copies go into.
     pub fn encoder(&mut self) -> &mut wgpu::CommandEncoder {
         self.frame.begin_device_work();
@@ -203,6 +208,17 @@ impl Stage<'_, '_> {
             encoder.copy_texture_to_buffer(texture.as_image_copy(), into, texture.size());
         });
         Ok((ticket, rows))
+    }
+
+    /// The answers of tickets of this frame: what was recorded so far is submitted, and the processor waits for it. Waiting
+    /// is on neither clock.
+    ///
+    /// # Errors
+    /// As [`Ticket::poll`].
+    pub fn answer_now(&mut self, tickets: Vec<Ticket>) -> anyhow::Result<Vec<Vec<u8>>> {
+        self.frame.submit_part();
+        let wait = |gpu: &Gpu| tickets.into_iter().map(|ticket| ticket.wait(gpu)).collect();
+        self.frame.wait(wait)
     }
 
     /// The answer of a ticket of an earlier frame, for which the processor waits if it has to. Waiting is on neither

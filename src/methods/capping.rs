@@ -1,10 +1,12 @@
 //! How the caps of each caster's volume are drawn in a frame.
 
+use super::PrepareContext;
+use super::occlusion::Occlusion;
 use super::plan::{CasterPlan, FramePlan, Planner};
-use super::volume_parameters::FrontCap;
+use super::volume_parameters::{FrontCap, VolumeParameters};
 use super::volumes::CHOOSE_STAGE;
 use crate::frame::{Frame, FrameView};
-use crate::geometry::{Bounds, DisjointSets, EndPlane, Topology};
+use crate::geometry::{Bounds, Casting, Determinism, DisjointSets, EndPlane, Topology};
 use crate::scene::Mesh;
 use serde::{Deserialize, Serialize};
 
@@ -45,21 +47,52 @@ pub(super) struct Capping {
 
 /// Plans volumes and their caps.
 pub(super) struct CappedPlanner {
-    pub(super) planner: Planner,
+    planner: Planner,
     pub(super) capping: Capping,
+    occlusion: Option<Occlusion>,
 }
 
 impl CappedPlanner {
-    /// Records the stage that plans a frame.
-    pub(super) fn choose(&self, frame: &mut Frame<'_>) -> (FramePlan, Vec<CappedPlan>) {
+    /// A planner for volumes of these parameters.
+    pub(super) fn new(
+        context: &PrepareContext<'_>,
+        parameters: VolumeParameters,
+        casting: Casting,
+        capping: Capping,
+    ) -> Self {
+        Self {
+            planner: Planner::new(context, parameters, casting, Determinism::default()),
+            capping,
+            occlusion: Occlusion::wanted(context, parameters),
+        }
+    }
+
+    /// The next frame does not follow the one before.
+    pub(super) fn begin(&mut self) {
+        if let Some(occlusion) = &mut self.occlusion {
+            occlusion.forget();
+        }
+    }
+
+    /// Records the stages that plan a frame.
+    ///
+    /// # Errors
+    /// When the device is lost.
+    pub(super) fn choose(
+        &mut self,
+        frame: &mut Frame<'_>,
+    ) -> anyhow::Result<(FramePlan, Vec<CappedPlan>)> {
         let (view, casters) = (*frame.view(), &frame.resources().extents.casters);
-        frame.stage(CHOOSE_STAGE, |stage| {
-            stage.on_processor(|| {
-                let plan = self.planner.plan(&view, casters);
-                let plans = self.capping.plans(&plan.casters, &view, casters);
-                (plan, plans)
-            })
-        })
+        let mut plan = frame.stage(CHOOSE_STAGE, |stage| {
+            stage.on_processor(|| self.planner.plan(&view, casters))
+        });
+        if let Some(occlusion) = &mut self.occlusion {
+            occlusion.cull(frame, &mut plan)?;
+        }
+        let plans = frame.stage(CHOOSE_STAGE, |stage| {
+            stage.on_processor(|| self.capping.plans(&plan.casters, &view, casters))
+        });
+        Ok((plan, plans))
     }
 }
 

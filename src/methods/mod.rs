@@ -21,6 +21,7 @@ mod faces;
 mod frustum;
 mod light_depth;
 mod limit;
+mod occlusion;
 mod parameters;
 mod parts;
 mod plan;

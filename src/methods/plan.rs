@@ -33,6 +33,9 @@ pub(super) struct FramePlan {
     pub(super) near_count_of_rest: Option<i32>,
     /// The casters in whose volumes the near rectangle lies.
     around_near: u32,
+    /// Boxes that the device was asked about, and casters that are not drawn as it answered.
+    pub(super) queries: u32,
+    pub(super) hidden: u32,
 }
 
 impl FramePlan {
@@ -40,6 +43,8 @@ impl FramePlan {
     pub(super) fn drawn(&self) -> DrawnVolumes {
         let mut drawn = DrawnVolumes {
             z_pass_counted: self.around_near,
+            queries: self.queries,
+            hidden: self.hidden,
             ..DrawnVolumes::default()
         };
         for plan in &self.casters {
@@ -59,6 +64,7 @@ impl FramePlan {
             } += 1;
             drawn.at_infinity += u32::from(plan.end == EndPlane::INFINITY);
         }
+        drawn.culled -= self.hidden;
         drawn
     }
 }
@@ -170,7 +176,7 @@ impl Planner {
         let near = (view.near_volume(), view.near_rectangle());
         let mut all = FramePlan::default();
         let mut of_rest = None;
-        let culls = self.parameters.culling == Culling::Frustum;
+        let culls = self.parameters.culling != Culling::None;
         for (number, &bounds) in casters.iter().enumerate() {
             let is_drawn = self.casts[number] && (!culls || view.may_see_shadow_of(bounds));
             // A volume out of view is not around the near rectangle either.

@@ -63,6 +63,8 @@ pub(super) enum Culling {
     None,
     /// Those that cannot meet the view frustum.
     Frustum,
+    /// These, and those whose boxes, extruded from the light, are found to be hidden (see [`crate::frame::occlusion`]).
+    Occlusion,
 }
 
 /// What becomes of triangles that are occluded from the light (see [`crate::geometry::occluded`]).
@@ -118,7 +120,8 @@ parameters! {
         pub reach: Reach = Reach::Scene,
             "scene: volumes end just beyond the scene where all may; object: where each may; infinity: nowhere";
         pub culling: Culling = Culling::None,
-            "whose volumes are not drawn: none, frustum (of objects that cannot shadow anything in view)";
+            "whose volumes are not drawn: none, frustum (of objects that cannot shadow anything in view), occlusion (nor anything \
+             that is not hidden: asked by boxes)";
         pub occluded: Occluded = Occluded::Cast,
             "triangles that are proven to be behind others, seen from a light that stands still: cast, left_out";
         pub front_cap: FrontCap = FrontCap::Far,

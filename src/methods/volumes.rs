@@ -4,8 +4,9 @@
 //! counted, z-fail, z-pass, or for each object whichever is right and draws less. The count of a pixel
 //! is a sum over objects, so objects may be counted in different ways in one frame.
 
-use super::counter::Counts;
+use super::counter::{Counts, ROUND};
 use super::faces::{Draws, Elements, Faces, open_edges};
+use super::occlusion::Occlusion;
 use super::plan::{CasterPlan, FramePlan, Planner};
 use super::volume_parameters::{Counting, StageVolumeParameters};
 use super::{MethodError, PrepareContext};
@@ -19,6 +20,9 @@ use std::ops::Range;
 
 /// Name of the stage that chooses, on the processor, how each object is counted.
 pub(super) const CHOOSE_STAGE: &str = "choose";
+
+/// Name of the stages that draw volumes that were taken to be hidden and are not.
+const LATE_STAGE: &str = "late_volumes";
 
 /// What every volume method needs of the device.
 pub(super) const STENCIL: Capability = Capability::StencilBuffer;
@@ -49,6 +53,7 @@ pub(super) struct StencilVolumes {
     target: Target,
     counts: Counts,
     counters: Vec<(&'static str, u64)>,
+    occlusion: Option<Occlusion>,
     /// Of the last frame.
     plan: FramePlan,
 }
@@ -94,6 +99,7 @@ impl StencilVolumes {
             target,
             counts,
             counters,
+            occlusion: Occlusion::wanted(context, **parameters),
             plan: FramePlan::default(),
         })
     }
@@ -104,10 +110,36 @@ impl StencilVolumes {
     }
 
     /// Draws the objects of each way of counting, faces after faces.
-    fn draw(&self, pass: &mut NativePass<'_>, plan: &FramePlan) {
+    fn draw(&self, pass: &mut NativePass<'_>, casters: &[CasterPlan]) {
         for faces in &self.faces {
-            faces.draw(pass, &plan.casters, |_| true);
+            faces.draw(pass, casters, |_| true);
         }
+    }
+
+    /// Records the stages that draw what turns out not to be hidden, beside what the plan had drawn before.
+    fn draw_late(&mut self, frame: &mut Frame<'_>, plan: &mut FramePlan) -> anyhow::Result<()> {
+        let Some(mut occlusion) = self.occlusion.take() else {
+            return Ok(());
+        };
+        while let Some(visible) = occlusion.go_on(frame)? {
+            let mut late = plan.casters.clone();
+            late.iter_mut().for_each(|caster| caster.is_drawn = false);
+            for &caster in &visible {
+                late[caster as usize].is_drawn = true;
+                plan.casters[caster as usize].is_drawn = true;
+            }
+            if !visible.is_empty() {
+                frame.stage(LATE_STAGE, |stage| {
+                    stage.native(&self.target, &self.bindings, |pass| {
+                        pass.set_modulus(ROUND.modulus);
+                        self.draw(pass, &late);
+                    });
+                });
+            }
+        }
+        occlusion.end(plan);
+        self.occlusion = Some(occlusion);
+        Ok(())
     }
 }
 
@@ -238,11 +270,20 @@ fn constants(plan: CasterPlan, elements: &Range<u32>) -> [u32; 4] {
 }
 
 impl PreparedMethod for StencilVolumes {
+    fn begin(&mut self) {
+        if let Some(occlusion) = &mut self.occlusion {
+            occlusion.forget();
+        }
+    }
+
     fn record(&mut self, frame: &mut Frame<'_>) -> anyhow::Result<()> {
         let (view, casters) = (*frame.view(), &frame.resources().extents.casters);
-        let plan = frame.stage(CHOOSE_STAGE, |stage| {
+        let mut plan = frame.stage(CHOOSE_STAGE, |stage| {
             stage.on_processor(|| self.planner.plan(&view, casters))
         });
+        if let Some(occlusion) = &mut self.occlusion {
+            occlusion.begin(frame, &mut plan)?;
+        }
         for faces in &mut self.faces {
             if let Draws::Chosen(draws) = &mut faces.draws {
                 draws.choose(frame)?;
@@ -255,9 +296,12 @@ impl PreparedMethod for StencilVolumes {
                 self.counts.begin(stage, targets, round);
                 stage.native(&self.target, &self.bindings, |pass| {
                     pass.set_modulus(round.modulus);
-                    self.draw(pass, &plan);
+                    self.draw(pass, &plan.casters);
                 });
             });
+            if round.modulus == ROUND.modulus {
+                self.draw_late(frame, &mut plan)?;
+            }
             self.counts.resolve(frame, round, near_counts, |stage| {
                 stage.native(&self.target, &self.bindings, |pass| {
                     pass.set_modulus(round.modulus);

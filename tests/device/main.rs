@@ -16,6 +16,7 @@ mod metamorphic;
 mod methods;
 mod minimise;
 mod moving_light;
+mod occlusion;
 mod plan;
 mod rays;
 mod regression;

@@ -29,23 +29,28 @@ pub(super) static INFO: MethodInfo = MethodInfo {
     title: "shadow volumes of triangles with adjacency, by a geometry shader",
     source: "Stich, Wächter, Keller 2007 (GPU Gems 3, chapter 11)",
     needs: &[Capability::GeometryStage, STENCIL],
-    limits: &[
-        volume_limits::LIMITS,
-        volume_limits::TRIANGLE_LIMITS,
-        LIMITS,
-    ],
+    limits: &[volume_limits::LIMITS, LIMITS],
     clashes: CLASHES,
     tolerated_share: 0.0,
 };
 
-const LIMITS: &[Limit] = &[Limit {
-    text: "mode=two_manifold_unchecked: wrong where surfaces are open, meet in more than one other, or turn over",
-    with: &[("mode", "two_manifold_unchecked")],
-    unless: &[],
-    fails: &[],
-    kinds: &[],
-    at_most: Bound::Share(0.9),
-}];
+const LIMITS: &[Limit] = &[
+    Limit {
+        with: &[("mode", "two_manifold_unchecked")],
+        ..Limit::in_words(
+            "mode=two_manifold_unchecked: wrong where surfaces are open, meet in more than one other, or turn over",
+        )
+    },
+    Limit {
+        text: "determinism=any_corner: wrong where the light lies in the plane of a triangle and is no farther from it \
+               than it is large: the triangle then casts a shadow",
+        with: &[("determinism", "any_corner")],
+        unless: &[],
+        fails: &[("light_on_element", 1.0)],
+        kinds: &[],
+        at_most: Bound::Share(0.15),
+    },
+];
 
 const CLASHES: &[Clash] = &[
     clash::PLAN,

@@ -8,14 +8,13 @@ mod faces;
 use super::capping::{CappedPlan, CappedPlanner, Capping, Caps, fan_apexes};
 use super::corner::Weights;
 use super::counter::ROUND;
-use super::plan::Planner;
 use super::portable_volumes::{Corners, EXTRACT_STAGE, FaceDraws, PortableVolumes};
 use super::volume_parameters::{CASTING_WORDS, PortableVolumeParameters};
 use super::volumes::STENCIL;
 use super::{MethodError, MethodInfo, PrepareContext, ShadowMethod, clash, volume_limits};
 use crate::frame::{DepthSetup, DrawnVolumes, Frame, PreparedMethod};
 use crate::geometry::silhouette::{Facings, HEXTREE_DEPTH, SilhouetteEdge};
-use crate::geometry::{Casting, Determinism, OpenEdges, Topology};
+use crate::geometry::{Casting, OpenEdges, Topology};
 use crate::gpu::{Gpu, Stage};
 use crate::parameters;
 use crate::scene::Mesh;
@@ -99,10 +98,7 @@ impl ShadowMethod for SilhouetteCpu {
             mesh,
             topology,
             edges,
-            planner: CappedPlanner {
-                planner: Planner::new(context, *volume, casting, Determinism::default()),
-                capping,
-            },
+            planner: CappedPlanner::new(context, *volume, casting, capping),
             open_edges: Rc::clone(casters.open_edges()),
             apexes,
         }))
@@ -147,12 +143,13 @@ struct Kept {
 
 impl PreparedMethod for CpuVolumes {
     fn begin(&mut self) {
+        self.planner.begin();
         self.kept = None;
     }
 
     fn record(&mut self, frame: &mut Frame<'_>) -> anyhow::Result<()> {
         let (light, resources, gpu) = (frame.view().light.place, frame.resources(), frame.gpu());
-        let (plan, plans) = self.planner.choose(frame);
+        let (plan, plans) = self.planner.choose(frame)?;
         let kept = self
             .kept
             .take()

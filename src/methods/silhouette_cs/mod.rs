@@ -10,13 +10,12 @@ mod tables;
 use super::capping::{CappedPlanner, Capping, Caps};
 use super::corner::Weights;
 use super::counter::ROUND;
-use super::plan::Planner;
 use super::portable_volumes::{EXTRACT_STAGE, PortableVolumes};
 use super::volume_parameters::{CASTING_WORDS, PortableVolumeParameters};
 use super::volumes::STENCIL;
 use super::{MethodError, MethodInfo, PrepareContext, ShadowMethod, clash, volume_limits};
 use crate::frame::{DepthSetup, DrawnVolumes, Frame, PreparedMethod};
-use crate::geometry::{Casting, Determinism};
+use crate::geometry::Casting;
 use crate::parameters;
 use extraction::Extractor;
 use serde::{Deserialize, Serialize};
@@ -99,10 +98,7 @@ impl ShadowMethod for SilhouetteCs {
         Ok(Box::new(CsVolumes {
             extractor: Extractor::new(context, self, (&capping, weights))?,
             volumes: PortableVolumes::of_corners(context, &volume, weights)?,
-            planner: CappedPlanner {
-                planner: Planner::new(context, *volume, casting, Determinism::default()),
-                capping,
-            },
+            planner: CappedPlanner::new(context, *volume, casting, capping),
             drawn: DrawnVolumes::default(),
         }))
     }
@@ -118,9 +114,13 @@ struct CsVolumes {
 }
 
 impl PreparedMethod for CsVolumes {
+    fn begin(&mut self) {
+        self.planner.begin();
+    }
+
     fn record(&mut self, frame: &mut Frame<'_>) -> anyhow::Result<()> {
         let (light, resources) = (frame.view().light.place, frame.resources());
-        let (plan, plans) = self.planner.choose(frame);
+        let (plan, plans) = self.planner.choose(frame)?;
         frame.stage(EXTRACT_STAGE, |stage| {
             self.extractor.extract(stage, &plans, light)
         })?;

@@ -6,7 +6,6 @@ mod quads;
 use super::capping::{CappedPlan, CappedPlanner, Capping, Caps};
 use super::counter::{Counter, ROUND};
 use super::device_edges::{self, SidesBy};
-use super::plan::Planner;
 use super::plan_words;
 use super::portable_volumes::{CornerStage, Corners, FaceDraws, PortableVolumes};
 use super::volume_parameters::{CASTING_WORDS, FrontCap, PortableVolumeParameters};
@@ -14,7 +13,7 @@ use super::volumes::STENCIL;
 use super::{MethodError, MethodInfo, PrepareContext, ShadowMethod, clash, volume_limits};
 use crate::frame::fullscreen::{bind_group, bind_group_layout, buffer_binding};
 use crate::frame::{DepthSetup, DrawnVolumes, Frame, PreparedMethod};
-use crate::geometry::{Casting, Determinism};
+use crate::geometry::Casting;
 use crate::parameters;
 use quads::Quads;
 use wgpu::BufferUsages as Usage;
@@ -80,10 +79,7 @@ impl ShadowMethod for SilhouetteVs {
         let plans = context.gpu.empty_buffer("plans of casters", bytes, usage)?;
         Ok(Box::new(VsVolumes {
             volumes: volumes(context, &volume, &quads, &plans)?,
-            planner: CappedPlanner {
-                planner: Planner::new(context, *volume, casting, Determinism::default()),
-                capping,
-            },
+            planner: CappedPlanner::new(context, *volume, casting, capping),
             plans,
             quads,
             drawn: DrawnVolumes::default(),
@@ -150,9 +146,13 @@ struct VsVolumes {
 }
 
 impl PreparedMethod for VsVolumes {
+    fn begin(&mut self) {
+        self.planner.begin();
+    }
+
     fn record(&mut self, frame: &mut Frame<'_>) -> anyhow::Result<()> {
         let resources = frame.resources();
-        let (plan, plans) = self.planner.choose(frame);
+        let (plan, plans) = self.planner.choose(frame)?;
         let Self { quads, volumes, .. } = self;
         let targets = frame.targets();
         let corners = frame.stage(ROUND.volumes, |stage| -> anyhow::Result<Corners> {
