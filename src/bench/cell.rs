@@ -3,7 +3,7 @@
 use super::executor::Prepared;
 use super::time_limit::TimeLimit;
 use crate::config::{MethodPlan, RunPlan};
-use crate::frame::{DepthSetup, GBUFFER_STAGE, SHADE_STAGE};
+use crate::frame::{DepthSetup, DrawnVolumes, GBUFFER_STAGE, SHADE_STAGE};
 use crate::gpu::{FrameTimes, StageTime};
 use crate::judge::NoPicture;
 use crate::methods::ShadowMethod;
@@ -46,6 +46,8 @@ pub(super) struct Measured {
     pub order: u64,
     /// Its times.
     pub times: FrameTimes,
+    /// How its volumes were drawn, if it has any.
+    pub volumes: Option<DrawnVolumes>,
 }
 
 impl Measured {
@@ -54,6 +56,24 @@ impl Measured {
         let shared = self.times.stage_ms(GBUFFER_STAGE) + self.times.stage_ms(SHADE_STAGE);
         self.times.frame_ms() - shared
     }
+}
+
+/// Stages of the same name together, in the order in which the first of each ran.
+fn by_name<'a>(stages: impl Iterator<Item = &'a StageTime>) -> Vec<StageMs> {
+    let mut all: Vec<StageMs> = Vec::new();
+    for stage in stages {
+        let at = all.iter().position(|known| known.stage == stage.name);
+        let at = at.unwrap_or_else(|| {
+            all.push(StageMs {
+                stage: stage.name.to_owned(),
+                ..StageMs::default()
+            });
+            all.len() - 1
+        });
+        all[at].device_ms += stage.device_ms;
+        all[at].cpu_ms += stage.processor_ms;
+    }
+    all
 }
 
 /// What a cell of this method is called in results.
@@ -151,11 +171,6 @@ impl<'a> CellRun<'a> {
             .iter()
             .filter(|stage| ![GBUFFER_STAGE, SHADE_STAGE].contains(&stage.name));
         let sum = |time: fn(&StageTime) -> f64| own.clone().map(time).sum();
-        let stage = |stage: &StageTime| StageMs {
-            stage: stage.name.to_owned(),
-            device_ms: stage.device_ms,
-            cpu_ms: stage.processor_ms,
-        };
         Sample {
             scene: self.cell.scene.clone(),
             triangles: self.cell.triangles.unwrap_or(0),
@@ -176,7 +191,9 @@ impl<'a> CellRun<'a> {
             draw_calls: times.draw_calls,
             shadow_device_ms: sum(|stage| stage.device_ms),
             shadow_cpu_ms: sum(|stage| stage.processor_ms),
-            stages: own.map(stage).collect(),
+            wait_ms: times.wait_ms,
+            stages: by_name(own),
+            volumes: measured.volumes,
         }
     }
 

@@ -3,7 +3,7 @@
 //! An error of a cell's work is why that cell ends; [`Session::lost`] says whether the others must wait for the
 //! next session.
 
-use crate::frame::DepthSetup;
+use crate::frame::{DepthSetup, DrawnVolumes};
 use crate::gpu::FrameTimes;
 use crate::judge::{NoPicture, Observer};
 use crate::methods::ShadowMethod;
@@ -59,13 +59,14 @@ pub(super) trait Session {
     /// How many frames may be under way at once.
     fn frames_in_flight(&self) -> usize;
 
-    /// Draws a sequence of frames of a cell, of which the last is timed, and does not wait for them.
+    /// Draws a sequence of frames of a cell, of which the last is timed, and does not wait for them. Gives how its volumes
+    /// were drawn, if it has any.
     fn draw(
         &mut self,
         cell: usize,
         times_s: &[f64],
         deadline: Option<Instant>,
-    ) -> Result<(), NoPicture>;
+    ) -> Result<Option<DrawnVolumes>, NoPicture>;
 
     /// Waits for the oldest of the timed frames under way.
     fn wait_for_oldest(&mut self, deadline: Option<Instant>) -> Result<FrameTimes, NoPicture>;

@@ -4,6 +4,7 @@
 use super::Watched;
 use super::cell::{CellRun, Measured};
 use super::executor::{Session, sequence};
+use crate::frame::DrawnVolumes;
 use crate::gpu::FrameTimes;
 use crate::judge::NoPicture;
 use crate::record::RunDirError;
@@ -22,6 +23,7 @@ struct Tag {
     time_s: f64,
     order: u64,
     warmup: bool,
+    volumes: Option<DrawnVolumes>,
 }
 
 /// Flies along the scene's flight with each cell that is ready, and keeps every measured frame, frames
@@ -62,6 +64,7 @@ pub(super) fn measure(
                 time_s,
                 order: drawn,
                 warmup,
+                volumes: None,
             };
             drawn += 1;
             frames.draw(&times_s, tag)?;
@@ -104,9 +107,9 @@ impl Frames<'_, '_> {
         }
         let (session, under_way) = (&mut *self.session, &mut self.under_way);
         let drawn = run.time.spend(|deadline| {
-            session.draw(tag.cell, times_s, deadline)?;
+            let volumes = session.draw(tag.cell, times_s, deadline)?;
             // Also if it took too long: it will come to its end.
-            under_way.push_back(tag);
+            under_way.push_back(Tag { volumes, ..tag });
             Ok(())
         });
         match drawn {
@@ -154,6 +157,7 @@ impl Frames<'_, '_> {
             time_s: tag.time_s,
             order: tag.order,
             times,
+            volumes: tag.volumes,
         };
         let sample = run.sample(&measured);
         self.dir.append_sample(&sample)?;

@@ -1,7 +1,7 @@
 //! An executor without a device, which notes what it is asked for and breaks where it is told to. For tests.
 
 use super::executor::{Executor, FoundBias, Prepared, Session, Verified};
-use crate::frame::DepthSetup;
+use crate::frame::{DepthSetup, DrawnVolumes};
 use crate::gpu::FrameTimes;
 use crate::judge::{NoPicture, Observer};
 use crate::methods::ShadowMethod;
@@ -200,13 +200,18 @@ impl Session for StandInSession<'_> {
         2
     }
 
-    fn draw(&mut self, cell: usize, times_s: &[f64], _: Option<Instant>) -> Result<(), NoPicture> {
+    fn draw(
+        &mut self,
+        cell: usize,
+        times_s: &[f64],
+        _: Option<Instant>,
+    ) -> Result<Option<DrawnVolumes>, NoPicture> {
         assert!(self.under_way.len() < self.frames_in_flight());
         let times: Vec<_> = times_s.iter().map(|s| format!("{s:.2}")).collect();
         let line = format!("{} {}", self.name(cell), times.join(" "));
         self.ask(format!("draw {line}"))?;
         self.under_way.push_back(line);
-        Ok(())
+        Ok(None)
     }
 
     fn wait_for_oldest(&mut self, _: Option<Instant>) -> Result<FrameTimes, NoPicture> {

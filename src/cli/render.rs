@@ -189,9 +189,9 @@ fn times_of_next(
 
 fn stages(times: &FrameTimes) -> NumbersByName {
     times
-        .stages
-        .iter()
-        .map(|stage| (stage.name.to_owned(), times.stage_ms(stage.name).into()))
+        .stage_names()
+        .into_iter()
+        .map(|name| (name.to_owned(), times.stage_ms(name).into()))
         .collect()
 }
 
@@ -215,9 +215,9 @@ fn text(output: &Output<'_>, kinds: &str, times: &FrameTimes) -> String {
     }
     text.push_str(kinds);
     let stages: Vec<_> = times
-        .stages
-        .iter()
-        .map(|stage| format!("{} {:.3}", stage.name, times.stage_ms(stage.name)))
+        .stage_names()
+        .into_iter()
+        .map(|name| format!("{name} {:.3}", times.stage_ms(name)))
         .collect();
     text.push_str(&format!(
         "{:.3} ms: {}\n",

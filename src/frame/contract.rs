@@ -86,6 +86,13 @@ pub struct DrawnVolumes {
     pub at_infinity: u32,
 }
 
+impl DrawnVolumes {
+    /// How many are drawn.
+    pub fn drawn(&self) -> u32 {
+        self.z_pass + self.z_fail
+    }
+}
+
 impl AddAssign for DrawnVolumes {
     fn add_assign(&mut self, other: Self) {
         self.culled += other.culled;

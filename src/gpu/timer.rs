@@ -55,6 +55,17 @@ impl FrameTimes {
         self.added_ms.iter().sum()
     }
 
+    /// Names of the stages, each once, in the order in which the first of each ran.
+    pub fn stage_names(&self) -> Vec<&'static str> {
+        let mut names = Vec::new();
+        for stage in &self.stages {
+            if !names.contains(&stage.name) {
+                names.push(stage.name);
+            }
+        }
+        names
+    }
+
     /// What the stages called `name` add to the frame; 0 where there is none.
     pub fn stage_ms(&self, name: &str) -> f64 {
         let stages = self.stages.iter().zip(&self.added_ms);

@@ -13,6 +13,7 @@
 //! | `run.json` | [`RunInfo`]: where the numbers come from |
 //! | `samples.csv` | a [`Sample`] per measured frame |
 //! | `stages.csv` | a [`StageRow`] per stage of a measured frame |
+//! | `volumes.csv` | a [`VolumeRow`] per measured frame of a method with volumes |
 //! | `summary.csv` | a [`Summary`] per cell |
 //! | `counters.csv` | a [`CounterRow`] per counter of a cell |
 //! | `metrics.csv` | a [`MetricRow`] per metric of a verified frame |
@@ -41,6 +42,7 @@ pub mod statistics;
 pub mod stress;
 mod stress_run;
 mod verified_frame;
+mod volume_rows;
 
 pub use cell::Cell;
 pub use counter_rows::{CounterRow, counter_rows};
@@ -61,6 +63,7 @@ pub use run_dir::new_directory;
 pub use stage_rows::{StageRow, stage_rows};
 pub use stress_run::StressRun;
 pub use verified_frame::{MetricRow, VerifiedFrame, metric_rows};
+pub use volume_rows::VolumeRow;
 
 /// Version of the run directory's layout; raised when an older reader would misread a newer run.
 pub const FORMAT: u32 = 2;
@@ -72,6 +75,8 @@ pub const SAMPLES_FILE: &str = "samples.csv";
 pub const SUMMARY_FILE: &str = "summary.csv";
 /// Name of the file that holds a [`StageRow`] per stage of a measured frame.
 pub const STAGES_FILE: &str = "stages.csv";
+/// Name of the file that holds a [`VolumeRow`] per measured frame of a method with volumes.
+pub const VOLUMES_FILE: &str = "volumes.csv";
 /// Name of the file that holds a [`CounterRow`] per counter of a cell.
 pub const COUNTERS_FILE: &str = "counters.csv";
 /// Name of the file that holds a [`MetricRow`] per metric of a verified frame.

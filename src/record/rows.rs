@@ -1,5 +1,6 @@
 //! The rows of `samples.csv` and `summary.csv`.
 
+use crate::frame::DrawnVolumes;
 use crate::variant::Variant;
 use serde::{Deserialize, Serialize};
 
@@ -64,9 +65,16 @@ pub struct Sample {
     /// The part of `shadow_ms` that passed on the processor; 0 in runs from before it was measured.
     #[serde(default)]
     pub shadow_cpu_ms: f64,
+    /// How long the processor waited within the frame for answers of the device; on no clock. 0 in runs from before it was
+    /// measured.
+    #[serde(default)]
+    pub wait_ms: f64,
     /// The method's stages, which stand in `stages.csv`.
     #[serde(skip)]
     pub stages: Vec<StageMs>,
+    /// How its volumes were drawn, which stands in `volumes.csv`; `None` of methods without volumes.
+    #[serde(skip)]
+    pub volumes: Option<DrawnVolumes>,
 }
 
 /// One cell: a row of `summary.csv`. Numbers are `None`, and their fields empty, where nothing was

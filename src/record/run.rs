@@ -3,13 +3,16 @@
 use super::counter_rows::join_counters;
 use super::read::{read_info, read_optional_rows, read_rows};
 use super::stage_rows::join_stages;
+use super::statistics::median;
 use super::verified_frame::verified_frames;
+use super::volume_rows::{VolumeRow, join_volumes};
 use super::{
     BIAS_FILE, BiasRow, COUNTERS_FILE, Cell, CounterRow, IMAGES_DIR, ImageKind, METRICS_FILE,
     MetricRow, REGIONS_FILE, RUN_FILE, RegionRow, RunInfo, RunStatus, SAMPLES_FILE, STAGES_FILE,
-    SUMMARY_FILE, Sample, StageRow, Status, Summary, VerifiedFrame, check_files,
-    earlier_image_name, format1, image_name,
+    SUMMARY_FILE, Sample, SceneRecord, StageRow, Status, Summary, VOLUMES_FILE, VerifiedFrame,
+    check_files, earlier_image_name, format1, image_name,
 };
+use crate::frame::DrawnVolumes;
 use crate::metrics::{METRICS, MetricValues};
 use crate::variant::Variant;
 use anyhow::Result;
@@ -68,6 +71,9 @@ impl Run {
             let stages: Vec<StageRow> =
                 read_optional_rows(&dir.join(STAGES_FILE), cut_off, &mut warnings)?;
             join_stages(&mut samples, stages);
+            let volumes: Vec<VolumeRow> =
+                read_optional_rows(&dir.join(VOLUMES_FILE), cut_off, &mut warnings)?;
+            join_volumes(&mut samples, volumes);
             let counters: Vec<CounterRow> =
                 read_optional_rows(&dir.join(COUNTERS_FILE), cut_off, &mut warnings)?;
             join_counters(&mut summaries, &counters);
@@ -94,6 +100,31 @@ impl Run {
     pub fn scenes(&self) -> Vec<&str> {
         let listed = self.info.scenes.iter().map(|scene| scene.name.as_str());
         unique(listed.chain(self.summaries.iter().map(|row| row.scene.as_str())))
+    }
+
+    /// A scene by its name in results.
+    pub fn scene(&self, name: &str) -> Option<&SceneRecord> {
+        self.info.scenes.iter().find(|scene| scene.name == name)
+    }
+
+    /// The scene's name for people; its plain name where the run has no other.
+    pub fn scene_title<'a>(&'a self, name: &'a str) -> &'a str {
+        match self.scene(name) {
+            Some(SceneRecord { title, .. }) if !title.is_empty() => title,
+            _ => name,
+        }
+    }
+
+    /// Why nothing of a scene was measured, if one reason says it for all methods: said once, not in every row.
+    pub fn absence(&self, scene: &str) -> Option<(Status, &str)> {
+        let mut rows = self.summaries.iter().filter(|row| row.scene == scene);
+        let Some(first) = rows.next() else {
+            let record = self.scene(scene)?;
+            return Some((record.status, &record.reason));
+        };
+        let is_alike = |row: &Summary| (row.status, &row.reason) == (first.status, &first.reason);
+        (first.is_absent() && rows.all(|row| row.is_absent() && is_alike(row)))
+            .then_some((first.status, &*first.reason))
     }
 
     /// Name of a picture in the folder of pictures; there may be none.
@@ -126,6 +157,33 @@ impl Run {
     /// The samples that a row sums up.
     pub fn samples_of<'a>(&'a self, row: &'a Summary) -> impl Iterator<Item = &'a Sample> {
         self.samples.iter().filter(|sample| is_of(sample, row))
+    }
+
+    /// The stages of a cell and the medians of what they took on both clocks, in milliseconds.
+    pub fn stage_medians<'a>(&'a self, row: &'a Summary) -> Vec<(&'a str, f64)> {
+        let stages = || self.samples_of(row).flat_map(|sample| &sample.stages);
+        let names = unique(stages().map(|stage| stage.stage.as_str()));
+        let of = |name| {
+            let own = stages().filter(|stage| stage.stage == name);
+            let times_ms: Vec<f64> = own.map(|stage| stage.device_ms + stage.cpu_ms).collect();
+            Some((name, median(&times_ms)?))
+        };
+        names.into_iter().filter_map(of).collect()
+    }
+
+    /// What a cell's frames drew of its volumes on average: objects drawn, culled and hidden, queries, and milliseconds of
+    /// waiting. `None` for a method without volumes.
+    pub fn mean_volumes(&self, row: &Summary) -> Option<[f64; 5]> {
+        let (mut sum, mut wait_ms, mut frames) = (DrawnVolumes::default(), 0.0, 0);
+        for sample in self.samples_of(row) {
+            sum += sample.volumes?;
+            wait_ms += sample.wait_ms;
+            frames += 1;
+        }
+        let [drawn, culled, hidden, queries] =
+            [sum.drawn(), sum.culled, sum.hidden, sum.queries].map(f64::from);
+        let sums = [drawn, culled, hidden, queries, wait_ms];
+        (frames > 0).then(|| sums.map(|sum| sum / f64::from(frames)))
     }
 }
 

@@ -1,13 +1,14 @@
 //! Writing a run directory.
 //!
-//! `samples.csv`, `stages.csv`, `metrics.csv`, `regions.csv` and `bias.csv` grow row by row, each flushed as it comes, so
+//! `samples.csv`, `stages.csv`, `volumes.csv`, `metrics.csv`, `regions.csv` and `bias.csv` grow row by row, each flushed as it comes, so
 //! that a run that dies keeps what it has. Everything else is written to a temporary file and renamed: a file that is there is whole.
 
+use super::volume_rows::volume_row;
 use super::{
     BIAS_FILE, BiasRow, COUNTERS_FILE, FileRecord, IMAGES_DIR, ImageKind, METRICS_FILE,
     REGIONS_FILE, RUN_FILE, RegionRow, RunDirError, RunInfo, RunStatus, SAMPLES_FILE, STAGES_FILE,
-    SUMMARY_FILE, Sample, Summary, VerifiedFrame, counter_rows, file_records, image_name,
-    metric_rows, stage_rows, summary_records,
+    SUMMARY_FILE, Sample, Summary, VOLUMES_FILE, VerifiedFrame, counter_rows, file_records,
+    image_name, metric_rows, stage_rows, summary_records,
 };
 use crate::output;
 use crate::table::{self, Table};
@@ -63,6 +64,7 @@ pub(crate) struct RunDir {
     path: PathBuf,
     samples: Table,
     stages: LateTable,
+    volumes: LateTable,
     metrics: LateTable,
     regions: LateTable,
     biases: LateTable,
@@ -81,6 +83,7 @@ impl RunDir {
             path: path.to_owned(),
             samples: Table::create(&path.join(SAMPLES_FILE))?,
             stages: LateTable::new(path, STAGES_FILE),
+            volumes: LateTable::new(path, VOLUMES_FILE),
             metrics: LateTable::new(path, METRICS_FILE),
             regions: LateTable::new(path, REGIONS_FILE),
             biases: LateTable::new(path, BIAS_FILE),
@@ -125,9 +128,10 @@ impl RunDir {
 
     /// The tables and pictures that there are.
     pub(crate) fn file_records(&self) -> Result<Vec<FileRecord>, RunDirError> {
-        const TABLES: [&str; 7] = [
+        const TABLES: [&str; 8] = [
             SAMPLES_FILE,
             STAGES_FILE,
+            VOLUMES_FILE,
             SUMMARY_FILE,
             COUNTERS_FILE,
             METRICS_FILE,
@@ -137,10 +141,11 @@ impl RunDir {
         RunDirError::of(file_records(&self.path, &TABLES, IMAGES_DIR))
     }
 
-    /// Appends a row to `samples.csv`, and its stages to `stages.csv`.
+    /// Appends a row to `samples.csv`, its stages to `stages.csv`, and its volumes to `volumes.csv`.
     pub(crate) fn append_sample(&mut self, sample: &Sample) -> Result<(), RunDirError> {
         RunDirError::of(self.samples.append(std::slice::from_ref(sample)))?;
-        RunDirError::of(self.stages.append(&stage_rows([sample])))
+        RunDirError::of(self.stages.append(&stage_rows([sample])))?;
+        RunDirError::of(self.volumes.append(volume_row(sample).as_slice()))
     }
 
     /// Appends a verified frame to `metrics.csv`, and its largest regions to `regions.csv`.

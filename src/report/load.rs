@@ -3,21 +3,9 @@
 use super::curve::Contender;
 pub(crate) use crate::record::Run;
 pub(super) use crate::record::unique;
-use crate::record::{MethodRecord, SceneRecord, Status, Summary, SweepRecord};
+use crate::record::{MethodRecord, Status, Summary, SweepRecord};
 
 impl Run {
-    pub(super) fn scene(&self, name: &str) -> Option<&SceneRecord> {
-        self.info.scenes.iter().find(|scene| scene.name == name)
-    }
-
-    /// The scene's name for people; its plain name where the run has no other.
-    pub(crate) fn scene_title<'a>(&'a self, name: &'a str) -> &'a str {
-        match self.scene(name) {
-            Some(SceneRecord { title, .. }) if !title.is_empty() => title,
-            _ => name,
-        }
-    }
-
     /// The method's name for people; its id where the run has no other.
     pub(crate) fn method_title<'a>(&'a self, contender: &'a Contender) -> &'a str {
         let mut methods = self.info.methods.iter();
@@ -60,18 +48,6 @@ impl Run {
             contenders.iter().position(|other| *other == contender)
         });
         rows
-    }
-
-    /// Why nothing of a scene was measured, if one reason says it for all methods: said once, not in every row.
-    pub(crate) fn absence(&self, scene: &str) -> Option<(Status, &str)> {
-        let mut rows = self.summaries.iter().filter(|row| row.scene == scene);
-        let Some(first) = rows.next() else {
-            let record = self.scene(scene)?;
-            return Some((record.status, &record.reason));
-        };
-        let is_alike = |row: &Summary| (row.status, &row.reason) == (first.status, &first.reason);
-        (first.is_absent() && rows.all(|row| row.is_absent() && is_alike(row)))
-            .then_some((first.status, &*first.reason))
     }
 
     /// Whether this row has no artifacts, and the shortest median shadow time among its scene's rows of its size

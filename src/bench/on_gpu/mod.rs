@@ -5,7 +5,7 @@ mod verify;
 
 use super::executor::{Executor, FoundBias, Prepared, Session, Verified};
 use crate::config::RunPlan;
-use crate::frame::{DepthSetup, SceneBuffers};
+use crate::frame::{DepthSetup, DrawnVolumes, SceneBuffers};
 use crate::gpu::{FRAMES_IN_FLIGHT, FrameTimer, FrameTimes, Gpu};
 use crate::judge::{DeviceScene, NoPicture, Observer, ReadyMethod, Truth, Verifier, contain};
 use crate::methods::ShadowMethod;
@@ -173,7 +173,7 @@ impl Session for GpuSession<'_> {
         cell: usize,
         times_s: &[f64],
         deadline: Option<Instant>,
-    ) -> Result<(), NoPicture> {
+    ) -> Result<Option<DrawnVolumes>, NoPicture> {
         let Self {
             device,
             ready,
@@ -197,7 +197,7 @@ impl Session for GpuSession<'_> {
                 ready.resources.record(frame, ready.method.as_mut())
             })?;
             anyhow::ensure!(done.is_none(), "there was no room for another frame");
-            Ok(())
+            Ok(ready.method.drawn_volumes())
         })
     }
 

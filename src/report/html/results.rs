@@ -3,12 +3,11 @@
 use maud::{Markup, html};
 
 use super::shell::{Section, details, note};
-use crate::record::statistics::median;
-use crate::record::{Summary, summary_records, unique};
+use crate::record::{Summary, summary_records};
 use crate::report::format::ms;
 use crate::report::load::Run;
 use crate::report::results;
-use crate::report::table::{Cell, Column, Table};
+use crate::report::table::{Cell, Column, Listing, Table};
 
 pub(super) fn section(run: &Run) -> Section {
     let content = html! {
@@ -18,6 +17,7 @@ pub(super) fn section(run: &Run) -> Section {
             (results::table(run).html())
             (note(include_str!("notes/results.html")))
             (stage_times(run))
+            (volumes(run))
             (all_figures(run))
         }
     };
@@ -26,26 +26,42 @@ pub(super) fn section(run: &Run) -> Section {
 
 /// The median of every stage of every method: where its shadow time goes.
 fn stage_times(run: &Run) -> Markup {
-    let rows = run.scenes().into_iter().flat_map(|scene| run.rows(scene));
-    let medians = rows.flat_map(|row| stage_medians(run, row));
-    let medians: Vec<(&Summary, &str, f64)> = medians.collect();
-    let table = Table::of("Stages of each method", &medians)
-        .text("Scene", |(row, ..)| row.scene.as_str())
-        .text("Method", |(row, ..)| Cell::code(run.contender(row).label()))
-        .text("Stage", |(_, stage, _)| *stage)
-        .number(("Median", "ms"), |(.., stage_ms)| ms(*stage_ms));
-    html! { @if !medians.is_empty() { (details("Stages of each method", &table.html())) } }
+    let medians = |row| run.stage_medians(row).into_iter().map(move |m| (row, m));
+    let medians: Vec<(&Summary, (&str, f64))> = rows(run).flat_map(medians).collect();
+    let title = "Stages of each method";
+    let table = of_rows(run, title, &medians)
+        .text("Stage", |(_, (stage, _))| *stage)
+        .number(("Median", "ms"), |(_, (_, stage_ms))| ms(*stage_ms));
+    html! { @if !medians.is_empty() { (details(title, &table.html())) } }
 }
 
-fn stage_medians<'a>(run: &'a Run, row: &'a Summary) -> Vec<(&'a Summary, &'a str, f64)> {
-    let stages = || run.samples_of(row).flat_map(|sample| &sample.stages);
-    let names = unique(stages().map(|stage| stage.stage.as_str()));
-    let of = |name| {
-        let own = stages().filter(|stage| stage.stage == name);
-        let times_ms: Vec<f64> = own.map(|stage| stage.device_ms + stage.cpu_ms).collect();
-        Some((row, name, median(&times_ms)?))
-    };
-    names.into_iter().filter_map(of).collect()
+/// How many volumes each method drew, on average over its frames.
+fn volumes(run: &Run) -> Markup {
+    let means = |row| Some((row, run.mean_volumes(row)?));
+    let means: Vec<(&Summary, [f64; 5])> = rows(run).filter_map(means).collect();
+    let title = "Volumes drawn, culled and hidden";
+    let mut table = of_rows(run, title, &means);
+    for (at, head) in (0..).zip(["Drawn", "Culled", "Hidden", "Queries"]) {
+        table = table.number((head, "a frame"), move |(_, mean)| {
+            format!("{:.1}", mean[at])
+        });
+    }
+    let table = table.number(("Waiting", "ms"), |(_, mean)| ms(mean[4]));
+    html! { @if !means.is_empty() { (details(title, &table.html())) } }
+}
+
+fn rows(run: &Run) -> impl Iterator<Item = &Summary> {
+    run.scenes().into_iter().flat_map(|scene| run.rows(scene))
+}
+
+fn of_rows<'a, T>(
+    run: &'a Run,
+    title: &str,
+    rows: &'a [(&Summary, T)],
+) -> Listing<'a, (&'a Summary, T)> {
+    Table::of(title, rows)
+        .text("Scene", |(row, _)| row.scene.as_str())
+        .text("Method", |(row, _)| Cell::code(run.contender(row).label()))
 }
 
 fn all_figures(run: &Run) -> Markup {
