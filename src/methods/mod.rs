@@ -22,6 +22,7 @@ mod frustum;
 mod light_depth;
 mod limit;
 mod occlusion;
+mod occlusion_gpu;
 mod parameters;
 mod parts;
 mod plan;

@@ -43,14 +43,14 @@ pub(super) struct Occlusion {
 }
 
 /// What a frame asks by.
-struct Look {
+pub(super) struct Look {
     view: FrameView,
     near: NearVolume,
     margin: f64,
 }
 
 impl Look {
-    fn new(resources: &FrameResources) -> Self {
+    pub(super) fn new(resources: &FrameResources) -> Self {
         let view = resources.view();
         let scene = resources.extents.scene;
         let eye = view.eye.as_dvec3();
@@ -75,7 +75,14 @@ impl Look {
         }
     }
 
-    fn sight(&self, bounds: Bounds) -> Sight {
+    /// Adds the volume of a box, as it is asked about.
+    pub(super) fn push_volume(&self, faces: &mut VisibleFaces, bounds: Bounds) {
+        let (light, eye) = (self.view.light.place.as_dvec4(), self.view.eye.as_dvec3());
+        faces.push_volume(self.larger(bounds), light, &self.view.end_planes, eye);
+    }
+
+    /// What may be done with a box.
+    pub(super) fn sight(&self, bounds: Bounds) -> Sight {
         if !self.view.may_see_shadow_of(bounds) {
             return Sight::Out;
         }
@@ -211,10 +218,8 @@ impl Occlusion {
                 stage.on_processor(|| {
                     faces.corners.clear();
                     faces.ends.clear();
-                    let (light, eye) = (look.view.light.place.as_dvec4(), look.view.eye.as_dvec3());
                     for &node in nodes {
-                        let bounds = look.larger(tree.nodes[node as usize].bounds);
-                        faces.push_volume(bounds, light, &look.view.end_planes, eye);
+                        look.push_volume(faces, tree.nodes[node as usize].bounds);
                     }
                 });
                 queries.ask(stage, resources, faces)

@@ -60,6 +60,7 @@ impl ShadowMethod for SilhouetteMs {
         context: &PrepareContext<'_>,
     ) -> Result<Box<dyn PreparedMethod>, MethodError> {
         let parameters = &self.volume.planned(&context.scene.flight.light)?;
+        parameters.refuse_draws_by_object()?;
         let context = &parameters.casters(context)?;
         let casters = &context.casters;
         let topology = casters.topology();

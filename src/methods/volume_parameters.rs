@@ -65,6 +65,8 @@ pub(super) enum Culling {
     Frustum,
     /// These, and those whose boxes, extruded from the light, are found to be hidden (see [`crate::frame::occlusion`]).
     Occlusion,
+    /// The same without an answer to the processor: the device draws them or not.
+    OcclusionGpu,
 }
 
 /// What becomes of triangles that are occluded from the light (see [`crate::geometry::occluded`]).
@@ -120,8 +122,8 @@ parameters! {
         pub reach: Reach = Reach::Scene,
             "scene: volumes end just beyond the scene where all may; object: where each may; infinity: nowhere";
         pub culling: Culling = Culling::None,
-            "whose volumes are not drawn: none, frustum (of objects that cannot shadow anything in view), occlusion (nor anything \
-             that is not hidden: asked by boxes)";
+            "whose volumes are not drawn: none, frustum (of objects that cannot shadow anything in view), occlusion (nor of \
+             those found to be hidden), occlusion_gpu (the same, and only the device knows; not of all methods)";
         pub occluded: Occluded = Occluded::Cast,
             "triangles that are proven to be behind others, seen from a light that stands still: cast, left_out";
         pub front_cap: FrontCap = FrontCap::Far,
@@ -174,6 +176,7 @@ impl PortableVolumeParameters {
     /// As there.
     pub(super) fn planned(mut self, light: &LightPath) -> Result<Self, MethodError> {
         self.volume = self.volume.planned(light)?;
+        self.volume.refuse_draws_by_object()?;
         Ok(self)
     }
 }
@@ -274,6 +277,19 @@ impl VolumeParameters {
             }
         }
         Ok(self)
+    }
+
+    /// For methods that draw many objects by one call.
+    ///
+    /// # Errors
+    /// If the device is to decide about each.
+    pub(super) fn refuse_draws_by_object(&self) -> Result<(), MethodError> {
+        if self.culling == Culling::OcclusionGpu {
+            let message = "culling=occlusion_gpu needs a draw call for each object, which this method does not have; \
+                           use culling=occlusion";
+            return Err(MethodError::Parameter(message.to_owned()));
+        }
+        Ok(())
     }
 
     /// What casts, if a method has `usual` where nothing is set: [`Plan::Auto`] decides it.

@@ -6,9 +6,10 @@
 
 use super::counter::{Counts, ROUND};
 use super::faces::{Draws, Elements, Faces, open_edges};
-use super::occlusion::Occlusion;
+use super::occlusion::{OCCLUSION_STAGE, Occlusion};
+use super::occlusion_gpu::{ConditionalDraws, DeviceOcclusion};
 use super::plan::{CasterPlan, FramePlan, Planner};
-use super::volume_parameters::{Counting, StageVolumeParameters};
+use super::volume_parameters::{Counting, Culling, StageVolumeParameters};
 use super::{MethodError, PrepareContext};
 use crate::frame::{DrawnVolumes, Frame, PreparedMethod};
 use crate::geometry::Casting;
@@ -33,6 +34,8 @@ struct PreparedFaces {
     z_pass: Option<Pipeline>,
     drawn: Drawn,
     draws: Draws,
+    /// Where the device decides about each object.
+    conditional: Option<ConditionalDraws>,
 }
 
 /// What a draw takes: see [`Elements`].
@@ -54,6 +57,7 @@ pub(super) struct StencilVolumes {
     counts: Counts,
     counters: Vec<(&'static str, u64)>,
     occlusion: Option<Occlusion>,
+    device_occlusion: Option<DeviceOcclusion>,
     /// Of the last frame.
     plan: FramePlan,
 }
@@ -82,8 +86,17 @@ impl StencilVolumes {
         ];
         bound.extend(buffers.iter().map(|buffer| (BindingKind::Storage, buffer)));
         let bindings = Bindings::new(device, &target, &bound)?;
-        let prepare =
-            |faces: Faces| PreparedFaces::new(context, (&target, &bindings), parameters, faces);
+        let device_occlusion = (parameters.culling == Culling::OcclusionGpu)
+            .then(|| DeviceOcclusion::new(gpu, resources))
+            .transpose()?;
+        let prepare = |faces: Faces| -> Result<PreparedFaces, MethodError> {
+            let mut faces = PreparedFaces::new(context, (&target, &bindings), parameters, faces)?;
+            if let Some(occlusion) = &device_occlusion {
+                let is_indexed = matches!(faces.drawn, Drawn::Indexed(_));
+                faces.conditional = Some(occlusion.draws(gpu, is_indexed)?);
+            }
+            Ok(faces)
+        };
         Ok(Self {
             planner: Planner::new(
                 context,
@@ -100,6 +113,7 @@ impl StencilVolumes {
             counts,
             counters,
             occlusion: Occlusion::wanted(context, **parameters),
+            device_occlusion,
             plan: FramePlan::default(),
         })
     }
@@ -114,6 +128,22 @@ impl StencilVolumes {
         for faces in &self.faces {
             faces.draw(pass, casters, |_| true);
         }
+    }
+
+    /// Records the stages after which the device knows what to draw of the plan.
+    fn ask_device(&mut self, frame: &mut Frame<'_>, plan: &mut FramePlan) -> anyhow::Result<()> {
+        let Some(occlusion) = &mut self.device_occlusion else {
+            return Ok(());
+        };
+        occlusion.ask(frame, plan)?;
+        frame.stage(OCCLUSION_STAGE, |stage| {
+            let all = self.faces.iter().chain(&self.open_edges);
+            all.filter_map(|faces| Some((faces, faces.conditional.as_ref()?)))
+                .try_for_each(|(faces, conditional)| {
+                    let elements = faces.draws.of_frame();
+                    occlusion.set(stage, conditional, (elements, &plan.casters))
+                })
+        })
     }
 
     /// Records the stages that draw what turns out not to be hidden, beside what the plan had drawn before.
@@ -180,6 +210,7 @@ impl PreparedFaces {
                 Elements::Workgroups(size) => Drawn::Workgroups(size, most_workgroups(context.gpu)),
             },
             draws: faces.draws,
+            conditional: None,
         })
     }
 
@@ -199,6 +230,18 @@ impl PreparedFaces {
             let is_drawn =
                 |plan: &CasterPlan| plan.is_drawn && plan.z_pass == is_z_pass && takes(plan);
             let objects = self.draws.of_frame().iter().zip(casters);
+            if let Some(conditional) = &self.conditional {
+                let objects = (0..).zip(objects);
+                for (number, (elements, plan)) in objects.filter(|(_, (_, plan))| is_drawn(plan)) {
+                    pass.set_constants(constants(*plan, elements));
+                    if conditional.is_indexed() {
+                        pass.draw_indexed_indirect(&conditional.draws, number);
+                    } else {
+                        pass.draw_indirect(&conditional.draws, number);
+                    }
+                }
+                continue;
+            }
             let drawn = objects.filter(|(_, plan)| is_drawn(plan));
             match self.drawn {
                 Drawn::Workgroups(..) => {
@@ -289,6 +332,7 @@ impl PreparedMethod for StencilVolumes {
                 draws.choose(frame)?;
             }
         }
+        self.ask_device(frame, &mut plan)?;
         let targets = frame.targets();
         let near_counts = (plan.near_count, plan.near_count_of_rest);
         for round in self.counts.rounds() {

@@ -3,6 +3,7 @@
 use crate::frame::FrameResources;
 use crate::geometry::VisibleFaces;
 use crate::gpu::{Gpu, Stage, Ticket, shader};
+use std::ops::Range;
 
 /// Most queries of a set.
 const MOST_IN_SET: u32 = wgpu::QUERY_SET_MAX_QUERIES;
@@ -80,31 +81,72 @@ impl BoxQueries {
         resources: &FrameResources,
         boxes: &VisibleFaces,
     ) -> anyhow::Result<Vec<Ticket>> {
-        let gpu = stage.gpu();
+        self.upload(stage, boxes)?;
+        let made = self.draw_all(stage, resources, boxes);
+        let read = |(set, places): (usize, Range<u32>)| stage.read_queries(&self.sets[set], places);
+        Ok(made.into_iter().map(read).collect())
+    }
+
+    /// Asks about all boxes of a frame; the answers come to a buffer of at least [`Self::answer_bytes`].
+    ///
+    /// # Errors
+    /// As [`Self::ask`].
+    pub fn ask_into(
+        &mut self,
+        stage: &mut Stage<'_, '_>,
+        resources: &FrameResources,
+        boxes: &VisibleFaces,
+        answers: &wgpu::Buffer,
+    ) -> anyhow::Result<()> {
+        assert_eq!(self.made, 0, "all boxes of a frame at once");
+        self.upload(stage, boxes)?;
+        for (set, places) in self.draw_all(stage, resources, boxes) {
+            let offset = Self::answer_bytes(MOST_IN_SET) * set as u64;
+            let encoder = stage.encoder();
+            encoder.resolve_query_set(&self.sets[set], places, answers, offset);
+        }
+        Ok(())
+    }
+
+    /// Bytes of so many answers.
+    pub fn answer_bytes(boxes: u32) -> u64 {
+        u64::from(boxes.max(1)) * u64::from(wgpu::QUERY_SIZE)
+    }
+
+    fn upload(&mut self, stage: &mut Stage<'_, '_>, boxes: &VisibleFaces) -> anyhow::Result<()> {
         let bytes: &[u8] = bytemuck::cast_slice(&boxes.corners);
         // What was uploaded before in this frame may still be drawn from it.
         if self.corners.size() < bytes.len() as u64 || self.made > 0 {
-            self.corners = corners_buffer(gpu, bytes.len() as u64);
+            self.corners = corners_buffer(stage.gpu(), bytes.len() as u64);
         }
-        stage.upload(&self.corners, 0, bytes)?;
-        let mut tickets = Vec::new();
+        stage.upload(&self.corners, 0, bytes)
+    }
+
+    /// Draws boxes with the next queries, which it gives by their sets.
+    fn draw_all(
+        &mut self,
+        stage: &mut Stage<'_, '_>,
+        resources: &FrameResources,
+        boxes: &VisibleFaces,
+    ) -> Vec<(usize, Range<u32>)> {
+        let mut made = Vec::new();
         let (mut first, mut corner) = (0, 0);
         while first < boxes.ends.len() {
             let place = self.made % MOST_IN_SET;
             let set = (self.made / MOST_IN_SET) as usize;
             if set == self.sets.len() {
-                self.sets.push(query_set(gpu));
+                self.sets.push(query_set(stage.gpu()));
             }
             let room = (MOST_IN_SET - place) as usize;
             let ends = &boxes.ends[first..boxes.ends.len().min(first + room)];
             corner = self.draw(stage, resources, (set, place), (corner, ends));
             let count = ends.len() as u32;
-            tickets.push(stage.read_queries(&self.sets[set], place..place + count));
+            made.push((set, place..place + count));
             first += ends.len();
             self.made += count;
         }
         stage.count_draws(boxes.ends.len() as u32);
-        Ok(tickets)
+        made
     }
 
     /// Draws boxes whose corners follow each other, with queries from a place of a set on. Gives where the last ends.

@@ -41,10 +41,12 @@ impl Drop for IndexedGeometry {
 }
 
 /// Draws whose numbers a compute pass or an upload has written: for each the four `u32` vertex count, instance
-/// count, first vertex and first instance.
+/// count, first vertex and first instance; or the five of which an indexed draw has index count, instance count, first index,
+/// a number added to all, and first instance.
 pub struct IndirectDraws {
     pub(super) buffer: vk::Buffer,
     pub(super) count: u32,
+    pub(super) stride: u64,
     device: wgpu::Device,
     _buffer: wgpu::Buffer,
 }
@@ -53,15 +55,35 @@ impl IndirectDraws {
     /// Bytes of the numbers of one draw.
     pub const STRIDE: u64 = 16;
 
+    /// The same of an indexed draw.
+    pub const INDEXED_STRIDE: u64 = 20;
+
     /// As many as `buffer`, which must have the usage `INDIRECT`, has room for.
     ///
     /// # Errors
     /// When the device does not run on Vulkan.
     pub fn new(device: &wgpu::Device, buffer: &wgpu::Buffer) -> Result<Self, NativeError> {
+        Self::with_stride(device, buffer, Self::STRIDE)
+    }
+
+    /// The same of places with room for the numbers of an indexed draw; of another, the last is left out.
+    ///
+    /// # Errors
+    /// As [`Self::new`].
+    pub fn indexed(device: &wgpu::Device, buffer: &wgpu::Buffer) -> Result<Self, NativeError> {
+        Self::with_stride(device, buffer, Self::INDEXED_STRIDE)
+    }
+
+    fn with_stride(
+        device: &wgpu::Device,
+        buffer: &wgpu::Buffer,
+        stride: u64,
+    ) -> Result<Self, NativeError> {
         assert!(buffer.usage().contains(wgpu::BufferUsages::INDIRECT));
         Ok(Self {
             buffer: raw_buffer(buffer)?,
-            count: (buffer.size() / Self::STRIDE) as u32,
+            count: (buffer.size() / stride) as u32,
+            stride,
             device: device.clone(),
             _buffer: buffer.clone(),
         })

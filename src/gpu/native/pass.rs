@@ -186,12 +186,26 @@ impl NativePass<'_> {
     pub fn draw_indirect(&mut self, draws: &IndirectDraws, number: u32) {
         assert!(number < draws.count, "draw {number} of {}", draws.count);
         self.draw_calls += 1;
-        let offset = u64::from(number) * IndirectDraws::STRIDE;
+        let offset = u64::from(number) * draws.stride;
         // SAFETY: the pass is under way with a pipeline and its bindings bound, and the numbers lie in the buffer,
         // which waits for the device before it goes.
         unsafe {
             self.raw
                 .cmd_draw_indirect(self.commands, draws.buffer, offset, 1, 0);
+        }
+    }
+
+    /// The same over the element buffer; the draws are [indexed](IndirectDraws::indexed) ones.
+    pub fn draw_indexed_indirect(&mut self, draws: &IndirectDraws, number: u32) {
+        assert!(number < draws.count, "draw {number} of {}", draws.count);
+        assert_eq!(draws.stride, IndirectDraws::INDEXED_STRIDE);
+        self.draw_calls += 1;
+        let offset = u64::from(number) * draws.stride;
+        // SAFETY: the pass is under way with a pipeline, its bindings and an element buffer bound, and the numbers lie in
+        // the buffer, which waits for the device before it goes.
+        unsafe {
+            self.raw
+                .cmd_draw_indexed_indirect(self.commands, draws.buffer, offset, 1, 0);
         }
     }
 }
