@@ -179,7 +179,7 @@ fn times_of_next(
     method: &mut dyn PreparedMethod,
 ) -> anyhow::Result<FrameTimes> {
     let mut timer = FrameTimer::new(gpu);
-    method.begin();
+    resources.begin(method);
     timer.frame(gpu, |frame| resources.record(frame, method))?;
     timer
         .finish(gpu)?

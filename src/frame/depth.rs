@@ -16,6 +16,17 @@ pub enum DepthFormat {
     Unorm24,
 }
 
+/// Which objects the G-buffer draws.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Visibility {
+    /// Those whose boxes are in view.
+    #[default]
+    Frustum,
+    /// Of these, those that others do not hide (see [`crate::frame::occlusion`]).
+    Occlusion,
+}
+
 /// The depth buffer that a frame is drawn with.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct DepthSetup {
@@ -27,6 +38,8 @@ pub struct DepthSetup {
     pub near: Option<f32>,
     /// Whether native fragment shaders read and write the stencil.
     pub stencil_in_shaders: bool,
+    /// What is drawn into it.
+    pub visibility: Visibility,
 }
 
 impl DepthSetup {

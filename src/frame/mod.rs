@@ -10,6 +10,7 @@ mod contract;
 mod depth;
 pub mod fullscreen;
 mod gbuffer;
+mod hidden_objects;
 mod mask_pass;
 mod numbered;
 pub mod occlusion;
@@ -25,7 +26,7 @@ mod visible_triangles;
 
 pub use blended_counts::BlendedCounts;
 pub use contract::{DrawnVolumes, Frame, PreparedMethod, TexelOf, Texels};
-pub use depth::{DepthFormat, DepthSetup};
+pub use depth::{DepthFormat, DepthSetup, Visibility};
 pub use gbuffer::GBuffer;
 pub use mask_pass::{MaskPass, MaskShader};
 pub use pixel_compute::{Input, PixelCompute, PixelKernel, read, write};
@@ -39,6 +40,7 @@ pub use visible_triangles::VisibleTriangles;
 
 use crate::gpu::{DeviceError, FrameRecorder, Gpu, readback};
 use crate::scene::{Moment, Scene};
+use occlusion::DepthBuffer;
 use std::cell::Cell;
 use std::rc::Rc;
 
@@ -103,7 +105,12 @@ impl FrameResources {
         gpu.attempt(|| {
             let targets = Targets::new(gpu, width, height, depth)?;
             let uniform = FrameUniform::new(gpu);
-            let gbuffer = GBuffer::new(gpu, &uniform, &scene, depth);
+            let buffer = DepthBuffer {
+                uniform: &uniform,
+                targets: &targets,
+                direction: depth.direction,
+            };
+            let gbuffer = GBuffer::new(gpu, &buffer, &scene, (depth, &extents));
             let visible_triangles = VisibleTriangles::new(gpu, &uniform, &scene, &targets);
             let shade = Shade::new(gpu, &targets);
             Ok(Self {
@@ -165,7 +172,7 @@ impl FrameResources {
         mut recorder: FrameRecorder<'a>,
         method: &mut dyn PreparedMethod,
     ) -> anyhow::Result<FrameRecorder<'a>> {
-        self.record_gbuffer(&mut recorder);
+        self.record_gbuffer(&mut recorder)?;
         let mut frame = Frame::new(recorder, self);
         method.record(&mut frame)?;
         let mut recorder = frame.into_recorder();
@@ -173,12 +180,18 @@ impl FrameResources {
         Ok(recorder)
     }
 
+    /// The next frame, with `method`, follows no other.
+    pub fn begin(&self, method: &mut dyn PreparedMethod) {
+        self.gbuffer.begin();
+        method.begin();
+    }
+
     /// Draws a frame with `method` that follows no other, and reads the mask: 0 lit to 255 in shadow.
     ///
     /// # Errors
     /// When the device is lost, or the method's.
     pub fn draw_mask(&self, gpu: &Gpu, method: &mut dyn PreparedMethod) -> anyhow::Result<Vec<u8>> {
-        method.begin();
+        self.begin(method);
         self.draw_next_mask(gpu, method)
     }
 
@@ -216,8 +229,20 @@ impl FrameResources {
         });
     }
 
+    /// The depth of the frame under way, for what is drawn against it.
+    pub fn depth_buffer(&self) -> DepthBuffer<'_> {
+        DepthBuffer {
+            uniform: &self.uniform,
+            targets: &self.targets,
+            direction: self.depth.direction,
+        }
+    }
+
     /// Records the first stage alone, for whoever reads the triangle ids.
-    pub fn record_gbuffer(&self, frame: &mut FrameRecorder<'_>) {
+    ///
+    /// # Errors
+    /// When the device is lost.
+    pub fn record_gbuffer(&self, frame: &mut FrameRecorder<'_>) -> anyhow::Result<()> {
         let Self {
             uniform,
             scene,
@@ -226,12 +251,13 @@ impl FrameResources {
             visible_triangles,
             ..
         } = self;
+        let view = (&self.view(), &*self.extents);
         frame.stage(GBUFFER_STAGE, |stage| {
+            gbuffer.record(stage, &self.depth_buffer(), scene, view)?;
             let encoder = stage.encoder();
-            let view = (&self.view(), &*self.extents);
-            let draw_calls = gbuffer.record(encoder, uniform, scene, targets, view)
-                + visible_triangles.record(encoder, uniform, scene, targets);
+            let draw_calls = visible_triangles.record(encoder, uniform, scene, targets);
             stage.count_draws(draw_calls);
-        });
+            Ok(())
+        })
     }
 }

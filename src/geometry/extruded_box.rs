@@ -43,6 +43,12 @@ pub struct VisibleFaces {
 }
 
 impl VisibleFaces {
+    /// No box any more.
+    pub fn clear(&mut self) {
+        self.corners.clear();
+        self.ends.clear();
+    }
+
     /// Adds a box itself, seen from an eye outside of it.
     pub fn push_box(&mut self, bounds: Bounds, eye: DVec3) {
         let corners = corners(bounds);

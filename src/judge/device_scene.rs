@@ -91,7 +91,7 @@ impl ReadyMethod {
     /// # Errors
     /// When the device is lost.
     pub fn begin(&mut self, gpu: &Gpu, lead_in: &[Moment]) -> anyhow::Result<()> {
-        self.method.begin();
+        self.resources.begin(self.method.as_mut());
         for moment in lead_in {
             self.resources.set_view(gpu, moment);
             self.resources.draw(gpu, self.method.as_mut())?;

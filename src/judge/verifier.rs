@@ -103,7 +103,7 @@ impl<'a> Verifier<'a> {
         } = self.resources.set_view(self.gpu, moment);
         let ids = self.gpu.attempt(|| {
             let mut frame = FrameRecorder::untimed(self.gpu);
-            self.resources.record_gbuffer(&mut frame);
+            self.resources.record_gbuffer(&mut frame)?;
             frame.submit();
             readback::read_texture(self.gpu, &self.resources.targets.triangle_ids)
         })?;
@@ -188,7 +188,7 @@ impl<'a> Verifier<'a> {
         self.resources.set_view(gpu, moment);
         gpu.attempt(|| {
             let mut frame = FrameRecorder::untimed(gpu);
-            self.resources.record_gbuffer(&mut frame);
+            self.resources.record_gbuffer(&mut frame)?;
             frame.submit();
             self.resources.targets.write_mask(gpu, mask);
             let mut frame = FrameRecorder::untimed(gpu);

@@ -3,10 +3,10 @@
 //! Each leaf of the tree over the casters is asked about in each frame, as in [`super::occlusion`]; a compute pass turns the
 //! answers into the numbers of indirect draws, one instance or none.
 
-use super::occlusion::{Look, OCCLUSION_STAGE};
+use super::occlusion::{OCCLUSION_STAGE, VolumeLook};
 use super::plan::{CasterPlan, FramePlan};
 use crate::frame::fullscreen::bind_group;
-use crate::frame::occlusion::{BoxQueries, BoxTree, Sight};
+use crate::frame::occlusion::{BoxQueries, BoxTree, Look, Sight};
 use crate::frame::{Frame, FrameResources};
 use crate::geometry::VisibleFaces;
 use crate::gpu::native::{IndirectDraws, NativeError};
@@ -50,7 +50,7 @@ impl DeviceOcclusion {
         let usage = wgpu::BufferUsages::STORAGE;
         let device = &gpu.device;
         Ok(Self {
-            queries: BoxQueries::new(gpu, resources),
+            queries: BoxQueries::new(gpu, &resources.depth_buffer()),
             answers: gpu.empty_buffer(
                 "what boxes answered",
                 BoxQueries::answer_bytes(leaves.count() as u32),
@@ -119,9 +119,8 @@ impl DeviceOcclusion {
         } = self;
         frame.stage(OCCLUSION_STAGE, |stage| {
             stage.on_processor(|| {
-                let look = Look::new(resources);
-                faces.corners.clear();
-                faces.ends.clear();
+                let look = VolumeLook::new(resources);
+                faces.clear();
                 query_of.fill(ALWAYS);
                 let mut open: Vec<u32> =
                     (!tree.nodes.is_empty()).then_some(0).into_iter().collect();
@@ -135,7 +134,7 @@ impl DeviceOcclusion {
                             for &caster in tree.objects(number) {
                                 query_of[caster as usize] = faces.ends.len() as u32;
                             }
-                            look.push_volume(faces, node.bounds);
+                            look.push(faces, node.bounds);
                         }
                     }
                 }
@@ -143,7 +142,7 @@ impl DeviceOcclusion {
             plan.queries = faces.ends.len() as u32;
             stage.upload(query_of_buffer, 0, bytemuck::cast_slice(query_of))?;
             queries.begin();
-            queries.ask_into(stage, resources, faces, answers)
+            queries.ask_into(stage, &resources.depth_buffer(), faces, answers)
         })
     }
 

@@ -2,7 +2,7 @@
 
 use super::counter::{Counter, PortableCounter};
 use super::{MethodError, PrepareContext};
-use crate::frame::{DepthFormat, DepthSetup};
+use crate::frame::{DepthFormat, DepthSetup, Visibility};
 use crate::geometry::{Casting, Determinism};
 use crate::gpu::DepthDirection;
 use crate::gpu::native::Raster;
@@ -124,6 +124,8 @@ parameters! {
         pub culling: Culling = Culling::None,
             "whose volumes are not drawn: none, frustum (of objects that cannot shadow anything in view), occlusion (nor of \
              those found to be hidden), occlusion_gpu (the same, and only the device knows; not of all methods)";
+        pub visibility: Visibility = Visibility::Frustum,
+            "which objects the G-buffer draws: frustum (those in view), occlusion (but for those found to be hidden)";
         pub occluded: Occluded = Occluded::Cast,
             "triangles that are proven to be behind others, seen from a light that stands still: cast, left_out";
         pub front_cap: FrontCap = FrontCap::Far,
@@ -329,6 +331,7 @@ impl VolumeParameters {
             format: self.depth_format,
             near: self.near.map(|near| near as f32),
             stencil_in_shaders: false,
+            visibility: self.visibility,
         }
     }
 

@@ -15,7 +15,7 @@ fn ids(gpu: &Gpu, scene: &Scene, moment: &Moment) -> (Vec<u32>, Vec<u32>) {
     let stage = FrameResources::new(gpu, scene, SIZE_PX.0, SIZE_PX.1).unwrap();
     let frame_view = stage.set_view(gpu, moment);
     let mut frame = FrameRecorder::untimed(gpu);
-    stage.record_gbuffer(&mut frame);
+    stage.record_gbuffer(&mut frame).unwrap();
     frame.submit();
     let bytes = readback::read_texture(gpu, &stage.targets.triangle_ids).unwrap();
     let view = ReferenceView {

@@ -7,8 +7,8 @@ use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use std::path::Path;
 use svbench::config::find_scene;
-use svbench::frame::{FrameResources, PreparedMethod};
-use svbench::gpu::Gpu;
+use svbench::frame::{DepthSetup, FrameResources, PreparedMethod, Visibility};
+use svbench::gpu::{FrameTimer, Gpu, readback};
 use svbench::judge::Verifier;
 use svbench::methods::{PrepareContext, Registry};
 use svbench::reference::{ReferenceCache, Verdict};
@@ -282,4 +282,51 @@ fn a_new_flight_begins_with_nothing_known() {
     pair.culled.begin();
     pair.compare(&gpu, &scene, &moment, "begun");
     assert_eq!(queries(&pair), first);
+}
+
+/// Triangle numbers of a moment, and how many draw calls the G-buffer took.
+fn numbers(gpu: &Gpu, resources: &FrameResources, moment: &Moment) -> (Vec<u8>, u32) {
+    resources.set_view(gpu, moment);
+    let mut timer = FrameTimer::new(gpu);
+    let frame = timer.frame(gpu, |mut frame| {
+        resources.record_gbuffer(&mut frame)?;
+        Ok(frame)
+    });
+    assert!(frame.unwrap().is_none());
+    let draw_calls = timer.finish(gpu).unwrap()[0].draw_calls;
+    let numbers = readback::read_texture(gpu, &resources.targets.triangle_ids).unwrap();
+    (numbers, draw_calls)
+}
+
+#[test]
+fn hidden_objects_are_not_drawn_and_not_missed() {
+    let gpu = device();
+    let mut random = ChaCha8Rng::seed_from_u64(5);
+    let (mut culled_calls, mut all_calls) = (0, 0);
+    for scene in cities() {
+        let all = FrameResources::new(&gpu, &scene, SIZE_PX.0, SIZE_PX.1).unwrap();
+        let setup = DepthSetup {
+            visibility: Visibility::Occlusion,
+            ..DepthSetup::default()
+        };
+        let culled = all.with_depth(&gpu, setup).unwrap();
+        let mut moment = anywhere(&mut random, &scene);
+        for view in 0..views().div_ceil(6) {
+            moment = match view % 8 {
+                0 => anywhere(&mut random, &scene),
+                _ => next(&mut random, &moment),
+            };
+            if moment.validate().is_err() {
+                continue;
+            }
+            let (expected, calls) = numbers(&gpu, &all, &moment);
+            all_calls += calls;
+            let (found, calls) = numbers(&gpu, &culled, &moment);
+            culled_calls += calls;
+            let differing = found.chunks(4).zip(expected.chunks(4));
+            let differing = differing.filter(|(a, b)| a != b).count();
+            assert_eq!(differing, 0, "{}, view {view}: {moment:?}", scene.name);
+        }
+    }
+    assert!(culled_calls < all_calls, "{culled_calls} of {all_calls}");
 }

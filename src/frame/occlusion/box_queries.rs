@@ -1,8 +1,8 @@
 //! Draws boxes against the depth buffer and counts what passes.
 
-use crate::frame::FrameResources;
+use crate::frame::{FrameUniform, Targets};
 use crate::geometry::VisibleFaces;
-use crate::gpu::{Gpu, Stage, Ticket, shader};
+use crate::gpu::{DepthDirection, Gpu, Stage, Ticket, shader};
 use std::ops::Range;
 
 /// Most queries of a set.
@@ -10,6 +10,17 @@ const MOST_IN_SET: u32 = wgpu::QUERY_SET_MAX_QUERIES;
 
 /// Bytes of a corner.
 const CORNER_BYTES: u64 = 16;
+
+/// What boxes are drawn against, as a view sees it.
+#[derive(Clone, Copy)]
+pub struct DepthBuffer<'a> {
+    /// With the view.
+    pub uniform: &'a FrameUniform,
+    /// With the depth.
+    pub targets: &'a Targets,
+    /// Which way it runs.
+    pub direction: DepthDirection,
+}
 
 /// Draws boxes with an occlusion query each.
 pub struct BoxQueries {
@@ -21,13 +32,13 @@ pub struct BoxQueries {
 }
 
 impl BoxQueries {
-    /// For frames of these resources.
-    pub fn new(gpu: &Gpu, resources: &FrameResources) -> Self {
+    /// For frames with this depth buffer.
+    pub fn new(gpu: &Gpu, depth: &DepthBuffer<'_>) -> Self {
         let device = &gpu.device;
         let module = shader::wgsl(device, "frame/boxes.wgsl");
         let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
             label: Some("boxes"),
-            bind_group_layouts: &[Some(&resources.uniform.layout)],
+            bind_group_layouts: &[Some(&depth.uniform.layout)],
             ..Default::default()
         });
         let corners = wgpu::VertexBufferLayout {
@@ -46,9 +57,9 @@ impl BoxQueries {
             },
             primitive: wgpu::PrimitiveState::default(),
             depth_stencil: Some(wgpu::DepthStencilState {
-                format: resources.targets.depth.format(),
+                format: depth.targets.depth.format(),
                 depth_write_enabled: Some(false),
-                depth_compare: Some(resources.depth.direction.nearer()),
+                depth_compare: Some(depth.direction.nearer()),
                 stencil: wgpu::StencilState::default(),
                 bias: wgpu::DepthBiasState::default(),
             }),
@@ -78,11 +89,11 @@ impl BoxQueries {
     pub fn ask(
         &mut self,
         stage: &mut Stage<'_, '_>,
-        resources: &FrameResources,
+        depth: &DepthBuffer<'_>,
         boxes: &VisibleFaces,
     ) -> anyhow::Result<Vec<Ticket>> {
         self.upload(stage, boxes)?;
-        let made = self.draw_all(stage, resources, boxes);
+        let made = self.draw_all(stage, depth, boxes);
         let read = |(set, places): (usize, Range<u32>)| stage.read_queries(&self.sets[set], places);
         Ok(made.into_iter().map(read).collect())
     }
@@ -94,13 +105,13 @@ impl BoxQueries {
     pub fn ask_into(
         &mut self,
         stage: &mut Stage<'_, '_>,
-        resources: &FrameResources,
+        depth: &DepthBuffer<'_>,
         boxes: &VisibleFaces,
         answers: &wgpu::Buffer,
     ) -> anyhow::Result<()> {
         assert_eq!(self.made, 0, "all boxes of a frame at once");
         self.upload(stage, boxes)?;
-        for (set, places) in self.draw_all(stage, resources, boxes) {
+        for (set, places) in self.draw_all(stage, depth, boxes) {
             let offset = Self::answer_bytes(MOST_IN_SET) * set as u64;
             let encoder = stage.encoder();
             encoder.resolve_query_set(&self.sets[set], places, answers, offset);
@@ -126,7 +137,7 @@ impl BoxQueries {
     fn draw_all(
         &mut self,
         stage: &mut Stage<'_, '_>,
-        resources: &FrameResources,
+        depth: &DepthBuffer<'_>,
         boxes: &VisibleFaces,
     ) -> Vec<(usize, Range<u32>)> {
         let mut made = Vec::new();
@@ -139,7 +150,7 @@ impl BoxQueries {
             }
             let room = (MOST_IN_SET - place) as usize;
             let ends = &boxes.ends[first..boxes.ends.len().min(first + room)];
-            corner = self.draw(stage, resources, (set, place), (corner, ends));
+            corner = self.draw(stage, depth, (set, place), (corner, ends));
             let count = ends.len() as u32;
             made.push((set, place..place + count));
             first += ends.len();
@@ -153,7 +164,7 @@ impl BoxQueries {
     fn draw(
         &self,
         stage: &mut Stage<'_, '_>,
-        resources: &FrameResources,
+        depth: &DepthBuffer<'_>,
         (set, place): (usize, u32),
         (mut corner, ends): (u32, &[u32]),
     ) -> u32 {
@@ -162,7 +173,7 @@ impl BoxQueries {
             .begin_render_pass(&wgpu::RenderPassDescriptor {
                 label: Some("boxes"),
                 depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
-                    view: &resources.targets.depth_view,
+                    view: &depth.targets.depth_view,
                     depth_ops: None,
                     stencil_ops: None,
                 }),
@@ -170,7 +181,7 @@ impl BoxQueries {
                 ..Default::default()
             });
         pass.set_pipeline(&self.pipeline);
-        pass.set_bind_group(0, &resources.uniform.bind_group, &[]);
+        pass.set_bind_group(0, &depth.uniform.bind_group, &[]);
         pass.set_vertex_buffer(0, self.corners.slice(..));
         for (query, &end) in (place..).zip(ends) {
             pass.begin_occlusion_query(query);

@@ -53,14 +53,18 @@ pub struct Coherence {
     round: u32,
     /// Nodes looked into in this frame, parents first.
     looked_into: Vec<u32>,
+    /// Leaves about which nothing is known and that are drawn in each frame: so many.
+    unasked: usize,
     /// For each node the frame in which it was last found to be out of view.
     out: Vec<u32>,
 }
 
 impl Coherence {
-    /// Nothing is known of the boxes of this tree.
-    pub fn new(tree: &BoxTree) -> Self {
+    /// Nothing is known of the boxes of this tree. The nearest `unasked` leaves of these are drawn in a frame, before others
+    /// are asked about: what they hide depends on what there is.
+    pub fn new(tree: &BoxTree, unasked: usize) -> Self {
         Self {
+            unasked,
             states: vec![State::Unknown; tree.nodes.len()],
             frame: 0,
             round: 0,
@@ -134,6 +138,7 @@ impl Coherence {
         sight: impl Fn(Bounds) -> Sight,
     ) -> Frontier {
         let mut found = Frontier::default();
+        let mut unasked = if self.round == 1 { self.unasked } else { 0 };
         while let Some(number) = open.pop() {
             let node = &tree.nodes[number as usize];
             let sight = sight(node.bounds);
@@ -155,8 +160,11 @@ impl Coherence {
                         false => [one, other],
                     });
                 }
-                None if is_asked && state == State::Unknown => found.ask_now.push(number),
+                None if is_asked && state == State::Unknown && unasked == 0 => {
+                    found.ask_now.push(number);
+                }
                 None => {
+                    unasked -= usize::from(is_asked && state == State::Unknown);
                     found.drawn.extend_from_slice(tree.objects(number));
                     match state {
                         State::Visible { until } if self.frame < until => {}

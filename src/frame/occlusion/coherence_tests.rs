@@ -32,7 +32,7 @@ impl World {
     fn new(count: u32) -> Self {
         let boxes = row(count);
         let tree = BoxTree::new(&boxes);
-        let coherence = Coherence::new(&tree);
+        let coherence = Coherence::new(&tree, 0);
         Self {
             boxes,
             tree,
