@@ -2,7 +2,7 @@
 
 use super::PrepareContext;
 use super::plan::FramePlan;
-use super::volume_parameters::{Culling, VolumeParameters};
+use super::volume_parameters::{Culling, Plan, VolumeParameters};
 use crate::frame::occlusion::{Culler, Look, Sight, margin};
 use crate::frame::{Frame, FrameResources, FrameView};
 use crate::geometry::{Bounds, NearVolume, VisibleFaces};
@@ -11,6 +11,9 @@ use glam::DVec3;
 
 /// Name of the stages that ask.
 pub(super) const OCCLUSION_STAGE: &str = "occlusion";
+
+/// A plan asks for what is hidden in scenes of so many casters: with fewer, what it may save is less than what asking costs.
+const MANY_CASTERS: usize = 1000;
 
 /// Finds out which volumes are hidden.
 pub(super) struct Occlusion {
@@ -78,7 +81,12 @@ impl Occlusion {
         context: &PrepareContext<'_>,
         parameters: VolumeParameters,
     ) -> Option<Self> {
-        let is_wanted = parameters.culling == Culling::Occlusion;
+        let is_city = context.resources.extents.casters.len() >= MANY_CASTERS;
+        let is_wanted = match parameters.culling {
+            Culling::Occlusion => true,
+            Culling::Frustum => parameters.plan == Plan::Auto && is_city,
+            Culling::None | Culling::OcclusionGpu => false,
+        };
         is_wanted.then(|| Self::new(context.gpu, context.resources))
     }
 

@@ -9,7 +9,7 @@ use super::faces::{Draws, Elements, Faces, open_edges};
 use super::occlusion::{OCCLUSION_STAGE, Occlusion};
 use super::occlusion_gpu::{ConditionalDraws, DeviceOcclusion};
 use super::plan::{CasterPlan, FramePlan, Planner};
-use super::volume_parameters::{Counting, Culling, StageVolumeParameters};
+use super::volume_parameters::{Counting, Culling, Plan, StageVolumeParameters};
 use super::{MethodError, PrepareContext};
 use crate::frame::{DrawnVolumes, Frame, PreparedMethod};
 use crate::geometry::Casting;
@@ -34,6 +34,8 @@ struct PreparedFaces {
     z_pass: Option<Pipeline>,
     drawn: Drawn,
     draws: Draws,
+    /// Whether neighbours that are drawn alike are drawn by one call; else each by its own, as in the papers.
+    joins: bool,
     /// Where the device decides about each object.
     conditional: Option<ConditionalDraws>,
 }
@@ -194,6 +196,13 @@ impl PreparedFaces {
             Pipeline::new(device, target, bindings, &desc)
         };
         let positions = &context.resources.scene.positions;
+        let drawn = match faces.elements {
+            Elements::Vertices => Drawn::Vertices,
+            Elements::Indices(indices) => {
+                Drawn::Indexed(IndexedGeometry::new(device, positions, &indices)?)
+            }
+            Elements::Workgroups(size) => Drawn::Workgroups(size, most_workgroups(context.gpu)),
+        };
         let z_pass = faces.in_z_pass && parameters.counting != Counting::ZFail;
         Ok(Self {
             z_fail: (parameters.counting != Counting::ZPass)
@@ -202,13 +211,8 @@ impl PreparedFaces {
             z_pass: z_pass
                 .then(|| pipeline(Raster::CountDepthPasses))
                 .transpose()?,
-            drawn: match faces.elements {
-                Elements::Vertices => Drawn::Vertices,
-                Elements::Indices(indices) => {
-                    Drawn::Indexed(IndexedGeometry::new(device, positions, &indices)?)
-                }
-                Elements::Workgroups(size) => Drawn::Workgroups(size, most_workgroups(context.gpu)),
-            },
+            joins: parameters.plan == Plan::Auto || matches!(drawn, Drawn::Workgroups(..)),
+            drawn,
             draws: faces.draws,
             conditional: None,
         })
@@ -243,17 +247,13 @@ impl PreparedFaces {
                 continue;
             }
             let drawn = objects.filter(|(_, plan)| is_drawn(plan));
-            match self.drawn {
-                Drawn::Workgroups(..) => {
-                    for (elements, plan) in together(drawn) {
-                        self.draw_elements(pass, elements, plan);
-                    }
+            if self.joins {
+                for (elements, plan) in together(drawn) {
+                    self.draw_elements(pass, elements, plan);
                 }
-                // One call an object, as in the papers.
-                Drawn::Vertices | Drawn::Indexed(_) => {
-                    for (elements, plan) in drawn {
-                        self.draw_elements(pass, elements.clone(), *plan);
-                    }
+            } else {
+                for (elements, plan) in drawn {
+                    self.draw_elements(pass, elements.clone(), *plan);
                 }
             }
         }
