@@ -27,13 +27,6 @@ impl<'a> ObjectLook<'a> {
             view,
         }
     }
-
-    fn larger(&self, bounds: Bounds) -> Bounds {
-        Bounds {
-            low: bounds.low - self.margin,
-            high: bounds.high + self.margin,
-        }
-    }
 }
 
 impl Look for ObjectLook<'_> {
@@ -50,14 +43,14 @@ impl Look for ObjectLook<'_> {
             low: eye,
             high: eye,
         });
-        match self.larger(bounds).may_meet(here) {
+        match bounds.larger_by(self.margin).may_meet(here) {
             true => Sight::Around,
             false => Sight::InView,
         }
     }
 
     fn push(&self, faces: &mut VisibleFaces, bounds: Bounds) {
-        faces.push_box(self.larger(bounds), self.eye());
+        faces.push_box(bounds.larger_by(self.margin), self.eye());
     }
 }
 

@@ -35,6 +35,14 @@ impl Bounds {
         }
     }
 
+    /// The box that reaches so much farther on every side.
+    pub fn larger_by(self, margin: f64) -> Self {
+        Self {
+            low: self.low - margin,
+            high: self.high + margin,
+        }
+    }
+
     /// Whether there is no point in it.
     pub fn is_empty(self) -> bool {
         self.low.cmpgt(self.high).any()

@@ -38,13 +38,6 @@ impl VolumeLook {
             view,
         }
     }
-
-    fn larger(&self, bounds: Bounds) -> Bounds {
-        Bounds {
-            low: bounds.low - self.margin,
-            high: bounds.high + self.margin,
-        }
-    }
 }
 
 impl Look for VolumeLook {
@@ -56,7 +49,7 @@ impl Look for VolumeLook {
         if !self.view.may_see_shadow_of(bounds) {
             return Sight::Out;
         }
-        let bounds = self.larger(bounds);
+        let bounds = bounds.larger_by(self.margin);
         // Inside of the volume, or around the light, no surface of it need be in view.
         if self.near.may_meet(bounds) || !self.view.is_outside_of_lamp(bounds) {
             return Sight::Around;
@@ -67,7 +60,7 @@ impl Look for VolumeLook {
     fn push(&self, faces: &mut VisibleFaces, bounds: Bounds) {
         let light = self.view.light.place.as_dvec4();
         faces.push_volume(
-            self.larger(bounds),
+            bounds.larger_by(self.margin),
             light,
             &self.view.end_planes,
             self.eye(),

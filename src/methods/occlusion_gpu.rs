@@ -9,14 +9,14 @@ use crate::frame::fullscreen::bind_group;
 use crate::frame::occlusion::{BoxQueries, BoxTree, Look, Sight};
 use crate::frame::{Frame, FrameResources};
 use crate::geometry::VisibleFaces;
-use crate::gpu::native::{IndirectDraws, NativeError};
+use crate::gpu::native::IndirectDraws;
 use crate::gpu::{DeviceError, Gpu, Stage, shader};
 use std::ops::Range;
 
 /// Of a caster that is drawn whatever the device answers. Twin of `ALWAYS` in conditional_draws.wgsl.
 const ALWAYS: u32 = u32::MAX;
 
-/// Threads of a workgroup of the compute pass, and how many workgroups a row has at most.
+/// Casters of a workgroup of the compute pass.
 const GROUP: u32 = 64;
 
 /// Bytes of a draw's numbers.
@@ -38,7 +38,8 @@ pub(super) struct DeviceOcclusion {
 pub(super) struct ConditionalDraws {
     numbers: wgpu::Buffer,
     pub(super) draws: IndirectDraws,
-    is_indexed: bool,
+    /// Whether they take elements of an index buffer.
+    pub(super) is_indexed: bool,
     bound: wgpu::BindGroup,
 }
 
@@ -89,10 +90,9 @@ impl DeviceOcclusion {
         let layout = self.pipeline.get_bind_group_layout(0);
         let bound = [&self.answers, &self.query_of_buffer, &numbers];
         let bound = bound.map(wgpu::Buffer::as_entire_binding);
-        let of_native = |error: NativeError| DeviceError::from(error);
         Ok(ConditionalDraws {
             bound: bind_group(&gpu.device, &layout, &bound),
-            draws: IndirectDraws::indexed(&gpu.device, &numbers).map_err(of_native)?,
+            draws: IndirectDraws::indexed(&gpu.device, &numbers)?,
             numbers,
             is_indexed,
         })
@@ -177,12 +177,5 @@ impl DeviceOcclusion {
         pass.set_bind_group(0, &to.bound, &[]);
         pass.dispatch_workgroups((numbers.len() as u32).div_ceil(GROUP), 1, 1);
         Ok(())
-    }
-}
-
-impl ConditionalDraws {
-    /// Whether they take elements of an index buffer.
-    pub(super) fn is_indexed(&self) -> bool {
-        self.is_indexed
     }
 }

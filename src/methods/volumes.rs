@@ -238,7 +238,7 @@ impl PreparedFaces {
                 let objects = (0..).zip(objects);
                 for (number, (elements, plan)) in objects.filter(|(_, (_, plan))| is_drawn(plan)) {
                     pass.set_constants(constants(*plan, elements));
-                    if conditional.is_indexed() {
+                    if conditional.is_indexed {
                         pass.draw_indexed_indirect(&conditional.draws, number);
                     } else {
                         pass.draw_indirect(&conditional.draws, number);
